@@ -1,0 +1,27 @@
+# Targets of this project: C++20, every warning an error, headers named from the project's root
+# (`#include "golden/files/ptm_file.h"`), so that the layering test can read who includes whom.
+
+add_library(ptm_options INTERFACE)
+target_include_directories(ptm_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(ptm_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Werror)
+if(PTM_SANITIZE)
+  add_compile_options(-fsanitize=${PTM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${PTM_SANITIZE})
+endif()
+
+# ptm_library(name source... ) - a static library with the project's options.
+function(ptm_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_link_libraries(${name} PUBLIC ptm_options)
+endfunction()
+
+# ptm_system_includes(target dependency...) - headers of a dependency, without its warnings.
+function(ptm_system_includes target)
+  foreach(dependency IN LISTS ARGN)
+    get_target_property(dirs ${dependency} INTERFACE_INCLUDE_DIRECTORIES)
+    if(dirs)
+      target_include_directories(${target} SYSTEM PUBLIC ${dirs})
+    endif()
+  endforeach()
+endfunction()

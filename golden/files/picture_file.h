@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+
+#include "golden/files/image.h"
+#include "golden/files/input_error.h"
+
+namespace ptm::golden {
+
+/// Reads any picture OpenImageIO reads, 1 or 3 channels kept (alpha dropped), as 8-bit levels:
+/// 8-bit files give their integers, 16-bit and float ones are scaled to 0..255 without rounding.
+/// Throws InputError.
+[[nodiscard]] ImageReal read_picture(const std::filesystem::path& path);
+
+/// Writes 8-bit samples in the format of the extension, to a temporary name, then renames.
+void write_picture(const std::filesystem::path& path, const Image8& image);
+
+}  // namespace ptm::golden

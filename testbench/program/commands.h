@@ -1,0 +1,11 @@
+#pragma once
+#include <CLI/CLI.hpp>
+
+/// One function a command: it adds the command, its options and what it does to the program.
+/// A command reports trouble by throwing; main() turns that into the exit code.
+namespace ptm::testbench {
+
+void add_info_command(CLI::App& app);
+void add_convert_command(CLI::App& app);
+
+}  // namespace ptm::testbench

@@ -1,0 +1,38 @@
+// ptmsim: the one program. Commands live in a file each; this one owns the exit codes.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "golden/files/input_error.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/exit_code.h"
+
+namespace {
+
+int fail(ptm::testbench::ExitCode code, const char* message) {
+  std::cerr << "ptmsim: " << message << '\n';
+  return static_cast<int>(code);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using ptm::testbench::ExitCode;
+  CLI::App app{"Hardware for Polynomial Texture Maps, and the means to trust it", "ptmsim"};
+  app.require_subcommand(1);
+  ptm::testbench::add_info_command(app);
+  ptm::testbench::add_convert_command(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : static_cast<int>(ExitCode::usage);
+  } catch (const ptm::golden::InputError& error) {
+    return fail(ExitCode::bad_input, error.what());
+  } catch (const ptm::testbench::ExitError& error) {
+    return fail(error.code(), error.what());
+  } catch (const std::exception& error) {
+    return fail(ExitCode::disagree, error.what());
+  }
+  return static_cast<int>(ExitCode::fine);
+}
