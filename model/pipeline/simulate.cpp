@@ -101,33 +101,32 @@ FrameResult run_chain(const reference::EvalConfig& config, const StreamTiming& t
 
 }  // namespace
 
-std::vector<FrameResult> simulate_unit(const reference::EvalConfig& config, const UnitConfig& unit,
-                                       const reference::StoredTexture& texture,
-                                       std::span<const std::vector<Fragment>> frames,
-                                       const StreamTiming& timing) {
+void simulate_unit(const reference::EvalConfig& config, const UnitConfig& unit,
+                   const reference::StoredTexture& texture, const FrameStream& frames,
+                   const StreamTiming& timing) {
   const TextureDescriptor descriptor{reference::layout_of(config, texture), texture.bias,
                                      texture.shift};
   const auto words = reference::pack_texture(descriptor.layout, texture);
   EvaluatorChain chain(config, timing);
   IdealMemory memory("memory", words, clock_period());
   WordFetch fetch("fetch", unit.tmus, descriptor, clock_period());
-  std::vector<FrameResult> results;
   Source<Fragment> source("source", timing, clock_period(), [&](auto& self) {
-    for (const std::vector<Fragment>& fragments : frames) {
+    for (std::size_t frame = 0; frame < frames.count; ++frame) {
+      const std::span<const Fragment> fragments = frames.make(frame);
       chain.reset(fragments.size());
       fetch.reset();
       const Cycle first = self.send(
           fragments.size(), [&](std::uint64_t n) -> const Fragment& { return fragments[n]; });
-      results.push_back(chain.result(first));
-      results.back().words_fetched = fetch.words_fetched();
-      self.pass(results.back().total_cycles);
+      FrameResult result = chain.result(first);
+      result.words_fetched = fetch.words_fetched();
+      self.pass(result.total_cycles);
+      frames.take(frame, std::move(result));
     }
   });
   source.out(fetch.in);
   fetch.out(chain.evaluator.in);
   for (auto& socket : fetch.tmu) socket.bind(memory.socket);
   start_simulation();
-  return results;
 }
 
 FrameResult simulate_evaluator(const reference::EvalConfig& config,

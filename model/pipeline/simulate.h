@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,13 +30,19 @@ struct UnitConfig {
   int tmus = 3;  ///< words fetched in a cycle; 1..3
 };
 
-/// A texture unit for flat maps: fragments -> word fetch -> evaluator -> pixels. One result a
-/// frame; the unit is reset between frames.
+/// The frames that a unit draws: made and taken one at a time, so that memory stays bounded.
+struct FrameStream {
+  std::size_t count = 0;
+  std::function<std::span<const reference::Fragment>(std::size_t frame)> make;
+  std::function<void(std::size_t frame, FrameResult&& result)> take;
+};
+
+/// A texture unit for flat maps: fragments -> word fetch -> evaluator -> pixels, reset between
+/// frames.
 /// Requires  fragments inside the texture (u, v in [0, 1)), legal codes, a valid configuration.
-[[nodiscard]] std::vector<FrameResult> simulate_unit(
-    const reference::EvalConfig& config, const UnitConfig& unit,
-    const reference::StoredTexture& texture,
-    std::span<const std::vector<reference::Fragment>> frames, const StreamTiming& timing = {});
+void simulate_unit(const reference::EvalConfig& config, const UnitConfig& unit,
+                   const reference::StoredTexture& texture, const FrameStream& frames,
+                   const StreamTiming& timing = {});
 
 /// The evaluator alone, fed with operands; what rtl/ptm_evaluator.sv is compared with.
 [[nodiscard]] FrameResult simulate_evaluator(const reference::EvalConfig& config,

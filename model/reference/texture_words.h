@@ -40,7 +40,7 @@ struct TextureLayout {
 /// A quantised map as the unit sees it: stored integers with one bias and shift a coefficient.
 struct StoredTexture {
   int width = 0, height = 0;
-  bool rgb = false;                 ///< three polynomials a texel instead of one and a colour
+  bool rgb = false;                   ///< three polynomials a texel instead of one and a colour
   std::vector<std::uint16_t> coef{};  ///< [height][width][rgb ? 3 : 1][6], a0 first
   std::vector<std::uint8_t> color{};  ///< [height][width][3], LRGB only
   std::array<Value, 6> bias{}, shift{};

@@ -33,6 +33,17 @@ std::vector<Fragment> fragments_over(int width, int height) {
   return fragments;
 }
 
+std::vector<FrameResult> simulate(const UnitConfig& unit, const StoredTexture& texture,
+                                  const std::vector<std::vector<Fragment>>& frames,
+                                  const StreamTiming& timing = {}) {
+  std::vector<FrameResult> results;
+  const FrameStream stream{frames.size(),
+                           [&](std::size_t n) { return std::span<const Fragment>(frames[n]); },
+                           [&](std::size_t, FrameResult&& r) { results.push_back(std::move(r)); }};
+  simulate_unit(reference::kBase, unit, texture, stream, timing);
+  return results;
+}
+
 struct Rate {
   int tmus;
   bool rgb;
@@ -45,7 +56,7 @@ TEST_P(FlatUnit, TakesTheCyclesThatWordsAndPassesCallFor) {
   const Rate rate = GetParam();
   const auto texture = make_texture(13, 9, rate.rgb);
   const std::vector<std::vector<Fragment>> frames{fragments_over(13, 9)};
-  const auto results = simulate_unit(reference::kBase, {rate.tmus}, texture, frames);
+  const auto results = simulate({rate.tmus}, texture, frames);
   ASSERT_EQ(results.size(), 1U);
   const FrameResult& frame = results[0];
   EXPECT_EQ(frame.first_operand, rate.first_operand);
@@ -65,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, FlatUnit,
 TEST(FlatUnit, GivesTheReferencesPixelsThroughWordsInMemory) {
   const auto texture = make_texture(13, 9, false);
   const std::vector<std::vector<Fragment>> frames{fragments_over(13, 9)};
-  const auto frame = simulate_unit(reference::kBase, {2}, texture, frames, {9, 0.4, 0.4}).front();
+  const auto frame = simulate({2}, texture, frames, {9, 0.4, 0.4}).front();
   for (std::size_t n = 0; n < frame.pixels.size(); ++n) {
     const Fragment& f = frames[0][n];
     const auto trace = evaluate_lrgb(reference::kBase, lrgb_operands(texture, n, f.lu, f.lv));
@@ -79,7 +90,7 @@ TEST(FlatUnit, GivesTheReferencesPixelsThroughWordsInMemory) {
 TEST(FlatUnit, GivesTheReferencesPixelsOfAnRgbMapInEveryFrame) {
   const auto texture = make_texture(7, 5, true);
   const std::vector<std::vector<Fragment>> frames{fragments_over(7, 5), fragments_over(7, 5)};
-  const auto results = simulate_unit(reference::kBase, {3}, texture, frames, {1, 0.2, 0.2});
+  const auto results = simulate({3}, texture, frames, {1, 0.2, 0.2});
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].cycles, results[1].cycles) << "a frame starts from an idle unit";
   for (std::size_t n = 0; n < results[1].pixels.size(); ++n) {
