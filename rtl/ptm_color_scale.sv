@@ -13,11 +13,13 @@ module ptm_color_scale #(
   localparam int LumW     = ptm_pkg::lum_bits(LumBits, LumFrac),
   localparam int ProductW = ptm_pkg::color_product_bits(LumBits, LumFrac, FilterFrac)
 ) (
-  input  logic [3*ProductW-1:0] product_i,  // red lowest
-  input  logic [LumW-1:0]       lum_i,
-  input  logic                  rgb_map_i,
-  output logic [23:0]           rgb_o,       // red lowest
-  output logic                  saturated_o  // any channel was limited
+  input  logic [ProductW-1:0] red_i,  // products
+  input  logic [ProductW-1:0] green_i,
+  input  logic [ProductW-1:0] blue_i,
+  input  logic [LumW-1:0]     lum_i,
+  input  logic                rgb_map_i,
+  output logic [23:0]         rgb_o,       // red lowest
+  output logic                saturated_o  // any channel was limited
 );
   // A carry of rounding and, for the signed narrowing, a sign that stays 0.
   localparam int ScaledW = ProductW - LumFrac - FilterFrac + 1;
@@ -28,14 +30,16 @@ module ptm_color_scale #(
                .RoundNearest(RoundNearest))
     u_narrow_direct (.x_i({1'b0, lum_i}), .amount_i(4'(LumFrac)), .y_o(direct));
 
+  logic [3*ProductW-1:0] product;
   logic [2:0] limited;
+  assign product     = {blue_i, green_i, red_i};
   assign saturated_o = limited != '0;
 
   for (genvar c = 0; c < 3; c++) begin : gen_channel
     logic signed [ScaledW:0] scaled;
     ptm_narrow #(.InBits(ProductW + 1), .AmountBits(4), .OutBits(ScaledW + 1),
                  .RoundNearest(RoundNearest))
-      u_narrow (.x_i({1'b0, product_i[c*ProductW +: ProductW]}),
+      u_narrow (.x_i({1'b0, product[c*ProductW +: ProductW]}),
                 .amount_i(4'(LumFrac + FilterFrac)), .y_o(scaled));
 
     logic [ScaledW-1:0] quotient, exact;

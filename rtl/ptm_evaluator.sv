@@ -82,341 +82,265 @@ module ptm_evaluator #(
     logic [1:0]              channel;
     logic [SidebandBits-1:0] sideband;
   } tag_t;
-  // Payloads of the stage registers
-  typedef struct packed {
-    tag_t                            tag;
-    logic [3*RgbW-1:0]               rgb;
-    logic [6*ptm_pkg::ShiftBits-1:0] shift;
-    logic signed [LightW-1:0]        lu, lv;
-    logic signed [BasisW-1:0]        uu, vv, uv;
-    logic [6*DeltaW-1:0]             d;
-  } r1_t;
-  typedef struct packed {
-    tag_t                            tag;
-    logic [3*RgbW-1:0]               rgb;
-    logic [6*ptm_pkg::ShiftBits-1:0] shift;
-    logic signed [DeltaW+BasisW-1:0] p0, p1, p2;
-    logic signed [DeltaW+LightW-1:0] p3, p4;
-    logic signed [DeltaW-1:0]        p5;
-  } r2_t;
-  typedef struct packed {
-    tag_t                    tag;
-    logic [3*RgbW-1:0]       rgb;
-    logic signed [TermW-1:0] t0, t1, t2, t3, t4, t5;
-  } r3_t;
-  typedef struct packed {
-    tag_t                   tag;
-    logic [3*RgbW-1:0]      rgb;
-    logic signed [SumW-1:0] acc;
-  } r4_t;
-  typedef struct packed {
-    tag_t              tag;
-    logic [3*RgbW-1:0] rgb;
-    logic              lum_saturated;
-    logic [LumW-1:0]   lum;
-  } r5_t;
-  typedef struct packed {
-    tag_t                  tag;
-    logic                  lum_saturated;
-    logic [LumW-1:0]       lum;
-    logic [3*ProductW-1:0] product;
-  } r6_t;
-  typedef struct packed {
-    tag_t            tag;
-    logic            lum_saturated;
-    logic [LumW-1:0] lum;
-    logic            color_saturated;
-    logic [23:0]     rgb;
-  } r7_t;
-  typedef struct packed {
-    logic [SidebandBits-1:0] sideband;
-    logic                    lum_saturated;
-    logic [3*LumW-1:0]       lum;
-    logic                    color_saturated;
-    logic [23:0]             rgb;
-  } pixel_t;
 
-  r1_t r1_d, r1_q;
-  r2_t r2_d, r2_q;
-  r3_t r3_d, r3_q;
-  r4_t r4_d, r4_q;
-  r5_t r5_d, r5_q;
-  r6_t r6_d, r6_q;
-  r7_t r7_d, r7_q;
-  pixel_t fifo_d, fifo_q;
-  // valid[n], ready[n]: the handshake in front of register n+1
+  // valid[n], ready[n]: the handshake behind register n, and in front of register n+1
   logic [7:0] valid, ready;
-  logic fifo_valid, fifo_ready;
-
+  logic [7:1] load;
   assign valid[0] = valid_i;
   assign ready_o  = ready[0];
+  for (genvar n = 1; n <= 7; n++) begin : gen_reg
+    ptm_stream_reg u_reg (
+      .clk_i  (clk_i),
+      .rst_ni (rst_ni),
+      .valid_i(valid[n-1]),
+      .ready_o(ready[n-1]),
+      .load_o (load[n]),
+      .valid_o(valid[n]),
+      .ready_i(ready[n])
+    );
+  end
 
-  // D1, D2
+  // D1, D2 | R1
+  tag_t                     tag;
+  logic signed [DeltaW-1:0] d0, d1, d2, d3, d4, d5;
+  logic signed [BasisW-1:0] uu, vv, uv;
+  assign tag.rgb_map  = rgb_map_i;
+  assign tag.channel  = channel_i;
+  assign tag.sideband = sideband_i;
   ptm_unpack #(
-    .CoefBits  (CoefBits),
-    .DeltaBits (DeltaBits),
-    .FilterFrac(FilterFrac)
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .FilterFrac(FilterFrac)
   ) u_unpack (
-    .coef_i(coef_i),
-    .bias_i(bias_i),
-    .d_o   (r1_d.d)
+    .coef_i(coef_i), .bias_i(bias_i), .d0_o(d0), .d1_o(d1), .d2_o(d2), .d3_o(d3), .d4_o(d4),
+    .d5_o(d5)
   );
-
   ptm_basis #(
-    .LightInt    (LightInt),
-    .LightFrac   (LightFrac),
-    .BasisFrac   (BasisFrac),
-    .RoundNearest(RoundNearest)
+    .LightInt(LightInt), .LightFrac(LightFrac), .BasisFrac(BasisFrac), .RoundNearest(RoundNearest)
   ) u_basis (
-    .lu_i(lu_i),
-    .lv_i(lv_i),
-    .uu_o(r1_d.uu),
-    .vv_o(r1_d.vv),
-    .uv_o(r1_d.uv)
+    .lu_i(lu_i), .lv_i(lv_i), .uu_o(uu), .vv_o(vv), .uv_o(uv)
   );
 
-  assign r1_d.lu           = lu_i;
-  assign r1_d.lv           = lv_i;
-  assign r1_d.shift        = shift_i;
-  assign r1_d.rgb          = rgb_i;
-  assign r1_d.tag.rgb_map  = rgb_map_i;
-  assign r1_d.tag.channel  = channel_i;
-  assign r1_d.tag.sideband = sideband_i;
-  ptm_stream_reg #(
-    .Width($bits(r1_d))
-  ) u_r1 (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(valid[0]),
-    .ready_o(ready[0]),
-    .data_i (r1_d),
-    .valid_o(valid[1]),
-    .ready_i(ready[1]),
-    .data_o (r1_q)
-  );
+  tag_t                            r1_tag_q;
+  logic [3*RgbW-1:0]               r1_rgb_q;
+  logic [6*ptm_pkg::ShiftBits-1:0] r1_shift_q;
+  logic signed [LightW-1:0]        r1_lu_q, r1_lv_q;
+  logic signed [BasisW-1:0]        r1_uu_q, r1_vv_q, r1_uv_q;
+  logic signed [DeltaW-1:0]        r1_d0_q, r1_d1_q, r1_d2_q, r1_d3_q, r1_d4_q, r1_d5_q;
+  always_ff @(posedge clk_i) begin
+    if (load[1]) begin
+      r1_tag_q   <= tag;
+      r1_rgb_q   <= rgb_i;
+      r1_shift_q <= shift_i;
+      r1_lu_q    <= lu_i;
+      r1_lv_q    <= lv_i;
+      r1_uu_q    <= uu;
+      r1_vv_q    <= vv;
+      r1_uv_q    <= uv;
+      r1_d0_q    <= d0;
+      r1_d1_q    <= d1;
+      r1_d2_q    <= d2;
+      r1_d3_q    <= d3;
+      r1_d4_q    <= d4;
+      r1_d5_q    <= d5;
+    end
+  end
 
-  // D3
+  // D3 | R2
+  logic signed [DeltaW+BasisW-1:0] p0, p1, p2;
+  logic signed [DeltaW+LightW-1:0] p3, p4;
+  logic signed [DeltaW-1:0]        p5;
   ptm_products #(
-    .DeltaW(DeltaW),
-    .LightW(LightW),
-    .BasisW(BasisW)
+    .DeltaW(DeltaW), .LightW(LightW), .BasisW(BasisW)
   ) u_products (
-    .d_i (r1_q.d),
-    .uu_i(r1_q.uu),
-    .vv_i(r1_q.vv),
-    .uv_i(r1_q.uv),
-    .lu_i(r1_q.lu),
-    .lv_i(r1_q.lv),
-    .p0_o(r2_d.p0),
-    .p1_o(r2_d.p1),
-    .p2_o(r2_d.p2),
-    .p3_o(r2_d.p3),
-    .p4_o(r2_d.p4),
-    .p5_o(r2_d.p5)
-  );
-  assign r2_d.shift = r1_q.shift;
-  assign r2_d.rgb   = r1_q.rgb;
-  assign r2_d.tag   = r1_q.tag;
-  ptm_stream_reg #(
-    .Width($bits(r2_d))
-  ) u_r2 (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(valid[1]),
-    .ready_o(ready[1]),
-    .data_i (r2_d),
-    .valid_o(valid[2]),
-    .ready_i(ready[2]),
-    .data_o (r2_q)
+    .d0_i(r1_d0_q), .d1_i(r1_d1_q), .d2_i(r1_d2_q), .d3_i(r1_d3_q), .d4_i(r1_d4_q), .d5_i(r1_d5_q),
+    .uu_i(r1_uu_q), .vv_i(r1_vv_q), .uv_i(r1_uv_q), .lu_i(r1_lu_q), .lv_i(r1_lv_q), .p0_o(p0),
+    .p1_o(p1), .p2_o(p2), .p3_o(p3), .p4_o(p4), .p5_o(p5)
   );
 
-  // D4
+  tag_t                            r2_tag_q;
+  logic [3*RgbW-1:0]               r2_rgb_q;
+  logic [6*ptm_pkg::ShiftBits-1:0] r2_shift_q;
+  logic signed [DeltaW+BasisW-1:0] r2_p0_q, r2_p1_q, r2_p2_q;
+  logic signed [DeltaW+LightW-1:0] r2_p3_q, r2_p4_q;
+  logic signed [DeltaW-1:0]        r2_p5_q;
+  always_ff @(posedge clk_i) begin
+    if (load[2]) begin
+      r2_tag_q   <= r1_tag_q;
+      r2_rgb_q   <= r1_rgb_q;
+      r2_shift_q <= r1_shift_q;
+      r2_p0_q    <= p0;
+      r2_p1_q    <= p1;
+      r2_p2_q    <= p2;
+      r2_p3_q    <= p3;
+      r2_p4_q    <= p4;
+      r2_p5_q    <= p5;
+    end
+  end
+
+  // D4 | R3
+  logic signed [TermW-1:0] t0, t1, t2, t3, t4, t5;
   ptm_align #(
-    .DeltaBits   (DeltaBits),
-    .LightInt    (LightInt),
-    .LightFrac   (LightFrac),
-    .BasisFrac   (BasisFrac),
-    .Guard       (Guard),
-    .RoundNearest(RoundNearest),
-    .ShiftMin    (ShiftMin),
-    .ShiftGroups (ShiftGroups),
-    .FilterFrac  (FilterFrac)
+    .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac), .BasisFrac(BasisFrac),
+    .Guard(Guard), .RoundNearest(RoundNearest), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups),
+    .FilterFrac(FilterFrac)
   ) u_align (
-    .p0_i   (r2_q.p0),
-    .p1_i   (r2_q.p1),
-    .p2_i   (r2_q.p2),
-    .p3_i   (r2_q.p3),
-    .p4_i   (r2_q.p4),
-    .p5_i   (r2_q.p5),
-    .shift_i(r2_q.shift),
-    .t0_o   (r3_d.t0),
-    .t1_o   (r3_d.t1),
-    .t2_o   (r3_d.t2),
-    .t3_o   (r3_d.t3),
-    .t4_o   (r3_d.t4),
-    .t5_o   (r3_d.t5)
-  );
-  assign r3_d.rgb = r2_q.rgb;
-  assign r3_d.tag = r2_q.tag;
-  ptm_stream_reg #(
-    .Width($bits(r3_d))
-  ) u_r3 (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(valid[2]),
-    .ready_o(ready[2]),
-    .data_i (r3_d),
-    .valid_o(valid[3]),
-    .ready_i(ready[3]),
-    .data_o (r3_q)
+    .p0_i(r2_p0_q), .p1_i(r2_p1_q), .p2_i(r2_p2_q), .p3_i(r2_p3_q), .p4_i(r2_p4_q), .p5_i(r2_p5_q),
+    .shift_i(r2_shift_q), .t0_o(t0), .t1_o(t1), .t2_o(t2), .t3_o(t3), .t4_o(t4), .t5_o(t5)
   );
 
-  // D5
+  tag_t                    r3_tag_q;
+  logic [3*RgbW-1:0]       r3_rgb_q;
+  logic signed [TermW-1:0] r3_t0_q, r3_t1_q, r3_t2_q, r3_t3_q, r3_t4_q, r3_t5_q;
+  always_ff @(posedge clk_i) begin
+    if (load[3]) begin
+      r3_tag_q <= r2_tag_q;
+      r3_rgb_q <= r2_rgb_q;
+      r3_t0_q  <= t0;
+      r3_t1_q  <= t1;
+      r3_t2_q  <= t2;
+      r3_t3_q  <= t3;
+      r3_t4_q  <= t4;
+      r3_t5_q  <= t5;
+    end
+  end
+
+  // D5 | R4
+  logic signed [SumW-1:0] acc;
   ptm_sum #(
-    .TermW(TermW),
-    .SumW (SumW)
+    .TermW(TermW), .SumW(SumW)
   ) u_sum (
-    .t0_i (r3_q.t0),
-    .t1_i (r3_q.t1),
-    .t2_i (r3_q.t2),
-    .t3_i (r3_q.t3),
-    .t4_i (r3_q.t4),
-    .t5_i (r3_q.t5),
-    .acc_o(r4_d.acc)
-  );
-  assign r4_d.rgb = r3_q.rgb;
-  assign r4_d.tag = r3_q.tag;
-  ptm_stream_reg #(
-    .Width($bits(r4_d))
-  ) u_r4 (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(valid[3]),
-    .ready_o(ready[3]),
-    .data_i (r4_d),
-    .valid_o(valid[4]),
-    .ready_i(ready[4]),
-    .data_o (r4_q)
+    .t0_i(r3_t0_q), .t1_i(r3_t1_q), .t2_i(r3_t2_q), .t3_i(r3_t3_q), .t4_i(r3_t4_q), .t5_i(r3_t5_q),
+    .acc_o(acc)
   );
 
-  // D6
+  tag_t                   r4_tag_q;
+  logic [3*RgbW-1:0]      r4_rgb_q;
+  logic signed [SumW-1:0] r4_acc_q;
+  always_ff @(posedge clk_i) begin
+    if (load[4]) begin
+      r4_tag_q <= r3_tag_q;
+      r4_rgb_q <= r3_rgb_q;
+      r4_acc_q <= acc;
+    end
+  end
+
+  // D6 | R5
+  logic [LumW-1:0] lum;
+  logic            lum_saturated;
   ptm_luminance #(
-    .SumW        (SumW),
-    .Guard       (Guard),
-    .LumBits     (LumBits),
-    .LumFrac     (LumFrac),
-    .RoundNearest(RoundNearest)
+    .SumW(SumW), .Guard(Guard), .LumBits(LumBits), .LumFrac(LumFrac), .RoundNearest(RoundNearest)
   ) u_luminance (
-    .acc_i      (r4_q.acc),
-    .lum_o      (r5_d.lum),
-    .saturated_o(r5_d.lum_saturated)
-  );
-  assign r5_d.rgb = r4_q.rgb;
-  assign r5_d.tag = r4_q.tag;
-  ptm_stream_reg #(
-    .Width($bits(r5_d))
-  ) u_r5 (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(valid[4]),
-    .ready_o(ready[4]),
-    .data_i (r5_d),
-    .valid_o(valid[5]),
-    .ready_i(ready[5]),
-    .data_o (r5_q)
+    .acc_i(r4_acc_q), .lum_o(lum), .saturated_o(lum_saturated)
   );
 
-  // D7, products
+  tag_t              r5_tag_q;
+  logic [3*RgbW-1:0] r5_rgb_q;
+  logic [LumW-1:0]   r5_lum_q;
+  logic              r5_lum_saturated_q;
+  always_ff @(posedge clk_i) begin
+    if (load[5]) begin
+      r5_tag_q           <= r4_tag_q;
+      r5_rgb_q           <= r4_rgb_q;
+      r5_lum_q           <= lum;
+      r5_lum_saturated_q <= lum_saturated;
+    end
+  end
+
+  // D7 products | R6
+  logic [ProductW-1:0] red, green, blue;
   ptm_color_products #(
-    .LumW(LumW),
-    .RgbW(RgbW)
+    .LumW(LumW), .RgbW(RgbW)
   ) u_color_products (
-    .lum_i    (r5_q.lum),
-    .rgb_i    (r5_q.rgb),
-    .product_o(r6_d.product)
-  );
-  assign r6_d.lum           = r5_q.lum;
-  assign r6_d.lum_saturated = r5_q.lum_saturated;
-  assign r6_d.tag           = r5_q.tag;
-  ptm_stream_reg #(
-    .Width($bits(r6_d))
-  ) u_r6 (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(valid[5]),
-    .ready_o(ready[5]),
-    .data_i (r6_d),
-    .valid_o(valid[6]),
-    .ready_i(ready[6]),
-    .data_o (r6_q)
+    .lum_i(r5_lum_q), .rgb_i(r5_rgb_q), .red_o(red), .green_o(green), .blue_o(blue)
   );
 
-  // D7, scale
+  tag_t                r6_tag_q;
+  logic [ProductW-1:0] r6_red_q, r6_green_q, r6_blue_q;
+  logic [LumW-1:0]     r6_lum_q;
+  logic                r6_lum_saturated_q;
+  always_ff @(posedge clk_i) begin
+    if (load[6]) begin
+      r6_tag_q           <= r5_tag_q;
+      r6_red_q           <= red;
+      r6_green_q         <= green;
+      r6_blue_q          <= blue;
+      r6_lum_q           <= r5_lum_q;
+      r6_lum_saturated_q <= r5_lum_saturated_q;
+    end
+  end
+
+  // D7 scale | R7
+  logic [23:0] rgb;
+  logic        color_saturated;
   ptm_color_scale #(
-    .LumBits     (LumBits),
-    .LumFrac     (LumFrac),
-    .FilterFrac  (FilterFrac),
-    .RoundNearest(RoundNearest)
+    .LumBits(LumBits), .LumFrac(LumFrac), .FilterFrac(FilterFrac), .RoundNearest(RoundNearest)
   ) u_color_scale (
-    .product_i  (r6_q.product),
-    .lum_i      (r6_q.lum),
-    .rgb_map_i  (r6_q.tag.rgb_map),
-    .rgb_o      (r7_d.rgb),
-    .saturated_o(r7_d.color_saturated)
-  );
-  assign r7_d.lum           = r6_q.lum;
-  assign r7_d.lum_saturated = r6_q.lum_saturated;
-  assign r7_d.tag           = r6_q.tag;
-  ptm_stream_reg #(
-    .Width($bits(r7_d))
-  ) u_r7 (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(valid[6]),
-    .ready_o(ready[6]),
-    .data_i (r7_d),
-    .valid_o(valid[7]),
-    .ready_i(ready[7]),
-    .data_o (r7_q)
+    .red_i(r6_red_q), .green_i(r6_green_q), .blue_i(r6_blue_q), .lum_i(r6_lum_q),
+    .rgb_map_i(r6_tag_q.rgb_map), .rgb_o(rgb), .saturated_o(color_saturated)
   );
 
-  // Pixel
+  tag_t            r7_tag_q;
+  logic [23:0]     r7_rgb_q;
+  logic [LumW-1:0] r7_lum_q;
+  logic            r7_color_saturated_q, r7_lum_saturated_q;
+  always_ff @(posedge clk_i) begin
+    if (load[7]) begin
+      r7_tag_q             <= r6_tag_q;
+      r7_rgb_q             <= rgb;
+      r7_lum_q             <= r6_lum_q;
+      r7_color_saturated_q <= color_saturated;
+      r7_lum_saturated_q   <= r6_lum_saturated_q;
+    end
+  end
+
+  // Assembly
+  logic pixel_valid, pixel_ready;
+  logic [3*LumW-1:0] pixel_lum;
+  logic [23:0]       pixel_rgb;
+  logic [1:0]        pixel_flags;  // lum_saturated, color_saturated
   ptm_rgb_assemble #(
     .LumW(LumW)
   ) u_rgb_assemble (
-    .clk_i            (clk_i),
-    .rst_ni           (rst_ni),
-    .valid_i          (valid[7]),
-    .ready_o          (ready[7]),
-    .rgb_map_i        (r7_q.tag.rgb_map),
-    .channel_i        (r7_q.tag.channel),
-    .lum_i            (r7_q.lum),
-    .lum_saturated_i  (r7_q.lum_saturated),
-    .rgb_i            (r7_q.rgb),
-    .color_saturated_i(r7_q.color_saturated),
-    .valid_o          (fifo_valid),
-    .ready_i          (fifo_ready),
-    .lum_o            (fifo_d.lum),
-    .lum_saturated_o  (fifo_d.lum_saturated),
-    .rgb_o            (fifo_d.rgb),
-    .color_saturated_o(fifo_d.color_saturated)
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid[7]), .ready_o(ready[7]),
+    .rgb_map_i(r7_tag_q.rgb_map), .channel_i(r7_tag_q.channel), .lum_i(r7_lum_q),
+    .lum_saturated_i(r7_lum_saturated_q), .rgb_i(r7_rgb_q),
+    .color_saturated_i(r7_color_saturated_q), .valid_o(pixel_valid), .ready_i(pixel_ready),
+    .lum_o(pixel_lum), .lum_saturated_o(pixel_flags[1]), .rgb_o(pixel_rgb),
+    .color_saturated_o(pixel_flags[0])
   );
-  assign fifo_d.sideband = r7_q.tag.sideband;
-  ptm_stream_fifo2 #(
-    .Width($bits(fifo_d))
-  ) u_fifo (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(fifo_valid),
-    .ready_o(fifo_ready),
-    .data_i (fifo_d),
-    .valid_o(valid_o),
-    .ready_i(ready_i),
-    .data_o (fifo_q)
+
+  // FIFO: the head is the output
+  logic load_head, load_tail, advance;
+  ptm_stream_fifo2 u_fifo (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(pixel_valid), .ready_o(pixel_ready),
+    .load_head_o(load_head), .load_tail_o(load_tail), .advance_o(advance), .valid_o(valid_o),
+    .ready_i(ready_i)
   );
-  assign lum_o             = fifo_q.lum;
-  assign lum_saturated_o   = fifo_q.lum_saturated;
-  assign rgb_o             = fifo_q.rgb;
-  assign color_saturated_o = fifo_q.color_saturated;
-  assign sideband_o        = fifo_q.sideband;
+
+  logic [3*LumW-1:0]       head_lum_q, tail_lum_q;
+  logic [23:0]             head_rgb_q, tail_rgb_q;
+  logic [1:0]              head_flags_q, tail_flags_q;
+  logic [SidebandBits-1:0] head_sideband_q, tail_sideband_q;
+  always_ff @(posedge clk_i) begin
+    if (load_head) begin
+      head_lum_q      <= pixel_lum;
+      head_rgb_q      <= pixel_rgb;
+      head_flags_q    <= pixel_flags;
+      head_sideband_q <= r7_tag_q.sideband;
+    end else if (advance) begin
+      head_lum_q      <= tail_lum_q;
+      head_rgb_q      <= tail_rgb_q;
+      head_flags_q    <= tail_flags_q;
+      head_sideband_q <= tail_sideband_q;
+    end
+    if (load_tail) begin
+      tail_lum_q      <= pixel_lum;
+      tail_rgb_q      <= pixel_rgb;
+      tail_flags_q    <= pixel_flags;
+      tail_sideband_q <= r7_tag_q.sideband;
+    end
+  end
+  assign lum_o                                = head_lum_q;
+  assign rgb_o                                = head_rgb_q;
+  assign {lum_saturated_o, color_saturated_o} = head_flags_q;
+  assign sideband_o                           = head_sideband_q;
 endmodule

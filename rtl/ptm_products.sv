@@ -8,7 +8,12 @@ module ptm_products #(
   parameter int LightW = 10,
   parameter int BasisW = 11
 ) (
-  input  logic        [6*DeltaW-1:0]      d_i,  // signed, d0 lowest
+  input  logic signed [DeltaW-1:0]        d0_i,
+  input  logic signed [DeltaW-1:0]        d1_i,
+  input  logic signed [DeltaW-1:0]        d2_i,
+  input  logic signed [DeltaW-1:0]        d3_i,
+  input  logic signed [DeltaW-1:0]        d4_i,
+  input  logic signed [DeltaW-1:0]        d5_i,
   input  logic signed [BasisW-1:0]        uu_i,
   input  logic signed [BasisW-1:0]        vv_i,
   input  logic signed [BasisW-1:0]        uv_i,
@@ -21,13 +26,11 @@ module ptm_products #(
   output logic signed [DeltaW+LightW-1:0] p4_o,
   output logic signed [DeltaW-1:0]        p5_o
 );
-  logic signed [DeltaW-1:0] d0, d1, d2, d3, d4;
-  assign {p5_o, d4, d3, d2, d1, d0} = d_i;
-
   // An n-bit times an m-bit number fits n + m bits.
-  assign p0_o = (DeltaW+BasisW)'(d0) * (DeltaW+BasisW)'(uu_i);
-  assign p1_o = (DeltaW+BasisW)'(d1) * (DeltaW+BasisW)'(vv_i);
-  assign p2_o = (DeltaW+BasisW)'(d2) * (DeltaW+BasisW)'(uv_i);
-  assign p3_o = (DeltaW+LightW)'(d3) * (DeltaW+LightW)'(lu_i);
-  assign p4_o = (DeltaW+LightW)'(d4) * (DeltaW+LightW)'(lv_i);
+  assign p0_o = (DeltaW+BasisW)'(d0_i) * (DeltaW+BasisW)'(uu_i);
+  assign p1_o = (DeltaW+BasisW)'(d1_i) * (DeltaW+BasisW)'(vv_i);
+  assign p2_o = (DeltaW+BasisW)'(d2_i) * (DeltaW+BasisW)'(uv_i);
+  assign p3_o = (DeltaW+LightW)'(d3_i) * (DeltaW+LightW)'(lu_i);
+  assign p4_o = (DeltaW+LightW)'(d4_i) * (DeltaW+LightW)'(lv_i);
+  assign p5_o = d5_i;
 endmodule
