@@ -1,8 +1,8 @@
 // Makes one pixel of an RGB map's three passes; an LRGB pixel goes through unchanged.
 //
 // A pass that is not the last moves into the assembly register in the cycle in which it is offered,
-// whatever ready_i says; the last pass (channel 2) offers the whole pixel. The passes of a pixel are
-// successive beats: channel 0, 1, 2, nothing in between. Entry c of lum_o is the luminance that
+// whatever ready_i says; the last pass (channel 2) offers the whole pixel. The passes of a pixel
+// are successive beats: channel 0, 1, 2, nothing in between. Entry c of lum_o is the luminance that
 // channel c was made from, so for LRGB all three are the same one. valid_o and ready_o are
 // combinational; latency 0.
 `include "ptm_assert.svh"

@@ -1,6 +1,6 @@
 // D1. Removes the bias.
 //
-//   d[i] = sat(coef[i] - (bias[i] << FilterFrac), DeltaBits + FilterFrac)      docs/spec/datapath.md
+//   d[i] = sat(coef[i] - (bias[i] << FilterFrac), DeltaBits + FilterFrac)    docs/spec/datapath.md
 //
 // Twin: ptm::reference::unpack() in model/reference/luminance.h. Combinational.
 module ptm_unpack #(

@@ -1,5 +1,5 @@
-// The evaluator behind ports that have the same C++ types for every variant, with a probe that reads
-// any stage register or constant. No design logic.
+// The evaluator behind ports that have the same C++ types for every variant, with a probe that
+// reads any stage register or constant. No design logic.
 //
 // probe_i chooses what probe_o shows; the numbers are those of testbench/rtl/probe.h. The probe
 // costs one comparison a cycle while it is 0.
@@ -141,30 +141,48 @@ module ptm_evaluator_tb #(
         8'd65: probe_o = 64'(ptm_pkg::delta_bits(DeltaBits, FilterFrac));
         8'd66: probe_o = 64'(ptm_pkg::light_bits(LightInt, LightFrac));
         8'd67: probe_o = 64'(ptm_pkg::basis_bits(LightInt, BasisFrac));
-        8'd68: probe_o = 64'(ptm_pkg::product_bits(0, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
-        8'd69: probe_o = 64'(ptm_pkg::product_bits(1, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
-        8'd70: probe_o = 64'(ptm_pkg::product_bits(2, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
-        8'd71: probe_o = 64'(ptm_pkg::product_bits(3, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
-        8'd72: probe_o = 64'(ptm_pkg::product_bits(4, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
-        8'd73: probe_o = 64'(ptm_pkg::product_bits(5, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
+        8'd68: probe_o =
+            64'(ptm_pkg::product_bits(0, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
+        8'd69: probe_o =
+            64'(ptm_pkg::product_bits(1, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
+        8'd70: probe_o =
+            64'(ptm_pkg::product_bits(2, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
+        8'd71: probe_o =
+            64'(ptm_pkg::product_bits(3, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
+        8'd72: probe_o =
+            64'(ptm_pkg::product_bits(4, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
+        8'd73: probe_o =
+            64'(ptm_pkg::product_bits(5, DeltaBits, LightInt, LightFrac, BasisFrac, FilterFrac));
         8'd74: probe_o = 64'(ptm_pkg::frac_bits(0, LightFrac, BasisFrac, FilterFrac));
         8'd75: probe_o = 64'(ptm_pkg::frac_bits(1, LightFrac, BasisFrac, FilterFrac));
         8'd76: probe_o = 64'(ptm_pkg::frac_bits(2, LightFrac, BasisFrac, FilterFrac));
         8'd77: probe_o = 64'(ptm_pkg::frac_bits(3, LightFrac, BasisFrac, FilterFrac));
         8'd78: probe_o = 64'(ptm_pkg::frac_bits(4, LightFrac, BasisFrac, FilterFrac));
         8'd79: probe_o = 64'(ptm_pkg::frac_bits(5, LightFrac, BasisFrac, FilterFrac));
-        8'd80: probe_o = 64'(ptm_pkg::pre_shift(0, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd81: probe_o = 64'(ptm_pkg::pre_shift(1, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd82: probe_o = 64'(ptm_pkg::pre_shift(2, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd83: probe_o = 64'(ptm_pkg::pre_shift(3, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd84: probe_o = 64'(ptm_pkg::pre_shift(4, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd85: probe_o = 64'(ptm_pkg::pre_shift(5, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd86: probe_o = 64'(ptm_pkg::amount_max(0, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd87: probe_o = 64'(ptm_pkg::amount_max(1, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd88: probe_o = 64'(ptm_pkg::amount_max(2, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd89: probe_o = 64'(ptm_pkg::amount_max(3, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd90: probe_o = 64'(ptm_pkg::amount_max(4, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
-        8'd91: probe_o = 64'(ptm_pkg::amount_max(5, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd80: probe_o =
+            64'(ptm_pkg::pre_shift(0, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd81: probe_o =
+            64'(ptm_pkg::pre_shift(1, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd82: probe_o =
+            64'(ptm_pkg::pre_shift(2, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd83: probe_o =
+            64'(ptm_pkg::pre_shift(3, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd84: probe_o =
+            64'(ptm_pkg::pre_shift(4, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd85: probe_o =
+            64'(ptm_pkg::pre_shift(5, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd86: probe_o =
+            64'(ptm_pkg::amount_max(0, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd87: probe_o =
+            64'(ptm_pkg::amount_max(1, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd88: probe_o =
+            64'(ptm_pkg::amount_max(2, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd89: probe_o =
+            64'(ptm_pkg::amount_max(3, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd90: probe_o =
+            64'(ptm_pkg::amount_max(4, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
+        8'd91: probe_o =
+            64'(ptm_pkg::amount_max(5, LightFrac, BasisFrac, Guard, ShiftMin, FilterFrac));
         8'd92: probe_o = 64'($bits(u_dut.r3_t0_q));
         8'd93: probe_o = 64'($bits(u_dut.r4_acc_q));
         8'd94: probe_o = 64'($bits(u_dut.r5_lum_q));
