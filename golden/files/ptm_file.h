@@ -43,6 +43,9 @@ struct PtmWriteOptions {
   /// JPEG only: list every byte that the codec changed as side information, so that the map read
   /// back is the map written. Off, the file is small and lossy.
   bool exact = true;
+  /// JPEG only: a plane may build on the inverse of another (transform 1). HP's files do so, and
+  /// relight refuses them. JPEG-LS, which no other program reads, always may.
+  bool inversion = false;
 };
 
 /// Writes to a temporary name and renames. Returns what a user should know (notes, one a line).

@@ -52,12 +52,13 @@ template <class Int>
 /// D7, scale: out[c] = min(255, narrow(product[c], lum_frac + filter_frac) / 255).
 /// Twin: rtl/ptm_color_scale.sv
 template <class Int>
-[[nodiscard]] constexpr Color<Int> color_scale(const EvalConfig& config, const Three<Int>& product) {
+[[nodiscard]] constexpr Color<Int> color_scale(const EvalConfig& config,
+                                               const Three<Int>& product) {
   const StepScope<Int> scope(Step::color_scale);
   Three<Int> quotient{};
   for (unsigned c = 0; c < 3; ++c) {
-    const Int p = narrow_constant(config.rounding, product[c],
-                                  config.lum_frac + config.filter_frac);
+    const Int p =
+        narrow_constant(config.rounding, product[c], config.lum_frac + config.filter_frac);
     quotient[c] = divide_255(config.rounding, p);
   }
   return limit_color(quotient);

@@ -7,9 +7,8 @@ namespace {
 
 void require(std::string_view field, int value, int low, int high) {
   if (value < low || value > high) {
-    throw std::invalid_argument(std::string(field) + " = " + std::to_string(value) +
-                                ", expected " + std::to_string(low) + " to " +
-                                std::to_string(high));
+    throw std::invalid_argument(std::string(field) + " = " + std::to_string(value) + ", expected " +
+                                std::to_string(low) + " to " + std::to_string(high));
   }
 }
 

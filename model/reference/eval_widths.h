@@ -10,18 +10,18 @@ namespace ptm::reference {
 /// complement unless "unsigned" is said. Twin: the functions of rtl/ptm_pkg.sv; compared by
 /// tests/rtl/constants_test.cpp.
 struct EvalWidths {
-  int stored;                    ///< unsigned: a coefficient or bias with its filter fraction
-  int delta;                     ///< D1
-  int light;                     ///< a light code
-  int basis;                     ///< D2
-  std::array<int, 6> product;    ///< D3, p5 = d5
-  std::array<int, 6> frac;       ///< fraction bits of p[i], filter fraction included
-  std::array<int, 6> pre_shift;  ///< D4: constant left shift before the variable right shift
-  std::array<int, 6> amount_max; ///< D4: largest right shift, at shift = 15
-  int term;                      ///< D4
-  int sum;                       ///< D5
-  int lum;                       ///< D6, unsigned
-  int color_product;             ///< D7, unsigned: lum * rgb before narrowing
+  int stored;                     ///< unsigned: a coefficient or bias with its filter fraction
+  int delta;                      ///< D1
+  int light;                      ///< a light code
+  int basis;                      ///< D2
+  std::array<int, 6> product;     ///< D3, p5 = d5
+  std::array<int, 6> frac;        ///< fraction bits of p[i], filter fraction included
+  std::array<int, 6> pre_shift;   ///< D4: constant left shift before the variable right shift
+  std::array<int, 6> amount_max;  ///< D4: largest right shift, at shift = 15
+  int term;                       ///< D4
+  int sum;                        ///< D5
+  int lum;                        ///< D6, unsigned
+  int color_product;              ///< D7, unsigned: lum * rgb before narrowing
 };
 
 /// Derivation.

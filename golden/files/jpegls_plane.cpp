@@ -1,0 +1,54 @@
+#include <charls/charls.h>
+
+#include <stdexcept>
+
+#include "golden/files/plane_codec.h"
+
+namespace ptm::golden {
+namespace {
+
+/// Room for any stream: a texel takes 32 bits at most (ISO 14495-1, LIMIT), and each of those bytes
+/// may bring a stuffed bit. Untouched memory costs nothing.
+std::size_t largest_stream(std::size_t texels) { return 5 * texels + 4096; }
+
+void check_frame(const PlaneStream& stream, const charls::frame_info& frame, int width,
+                 int height) {
+  if (frame.component_count != 1 || frame.bits_per_sample != 8) {
+    throw InputError(stream.file, stream.place,
+                     std::to_string(frame.component_count) + " components of " +
+                         std::to_string(frame.bits_per_sample) + " bits",
+                     "1 component of 8 bits");
+  }
+  constexpr std::uint64_t longest_run = 32768;
+  const std::uint64_t runs = (static_cast<std::uint64_t>(width) + longest_run - 1) / longest_run;
+  check_plane_size(stream, frame.width, frame.height, width, height,
+                   runs * static_cast<std::uint64_t>(height));
+}
+
+}  // namespace
+
+Plane decode_jpegls_plane(const PlaneStream& stream, int width, int height) {
+  try {
+    charls::jpegls_decoder decoder(stream.bytes.data(), stream.bytes.size(), true);
+    check_frame(stream, decoder.frame_info(), width, height);
+    Plane plane(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    decoder.decode(plane.bytes().data(), plane.bytes().size());
+    return plane;
+  } catch (const charls::jpegls_error& error) {
+    throw InputError(stream.file, stream.place, std::string("broken JPEG-LS: ") + error.what(),
+                     "a whole grey 8-bit JPEG-LS stream");
+  }
+}
+
+std::vector<std::uint8_t> encode_jpegls_plane(std::span<const std::uint8_t> plane, int width,
+                                              int height) {
+  Plane buffer(largest_stream(plane.size()));
+  charls::jpegls_encoder encoder;
+  encoder.frame_info({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 8, 1});
+  encoder.destination(buffer.bytes().data(), buffer.bytes().size());
+  const std::size_t size = encoder.encode(plane.data(), plane.size());
+  const auto stream = buffer.bytes().first(size);
+  return {stream.begin(), stream.end()};
+}
+
+}  // namespace ptm::golden

@@ -1,0 +1,123 @@
+#include "model/quantize/choose_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ptm::quantize {
+namespace {
+
+using reference::EvalConfig;
+using reference::kShiftMax;
+
+constexpr std::size_t kOutlierShare = 4096;  ///< one value in so many, at either end
+constexpr std::size_t kFewestForOne = 1024;  ///< from here on at least one
+constexpr double kOutlierFence = 1.0 / 16;   ///< of the spread of the others
+/// Outliers saturate if that saves the others this factor of squared error; a bit is a factor 4.
+constexpr double kWorthSaturating = 2;
+
+/// The finest shift at which values between low and high fit some bias; below shift_min if none.
+int widest_shift(double low, double high, const EvalConfig& config) {
+  const int top = coef_top(config), half = 1 << (config.delta_bits - 1);
+  for (int shift = kShiftMax; shift >= config.shift_min; --shift) {
+    const double first = std::floor(std::ldexp(low, shift) + 0.5);
+    const double last = std::floor(std::ldexp(high, shift) + 0.5);
+    const double below = std::max(0.0, -first), above = std::max(0.0, last);
+    if (below <= half && above <= half - 1 && below + above <= top) return shift;
+  }
+  return config.shift_min - 1;
+}
+
+using Values = std::span<const double>;
+
+struct Choice {
+  int shift = 0;
+  double error = 0;
+};
+
+double weighted_error(std::span<const Values> sets, std::span<const Population> coefficients,
+                      int shift, const EvalConfig& config, double* saturation = nullptr) {
+  double error = 0;
+  for (std::size_t c = 0; c < sets.size(); ++c) {
+    const BiasCosts costs = bias_costs(sets[c], shift, config);
+    error += coefficients[c].weight() * costs.least();
+    if (saturation != nullptr) {
+      *saturation +=
+          coefficients[c].weight() * costs.saturation[static_cast<std::size_t>(costs.best)];
+    }
+  }
+  return error;
+}
+
+Choice search(std::span<const Values> sets, std::span<const Population> coefficients,
+              const EvalConfig& config) {
+  int start = kShiftMax;
+  bool zero = true;
+  for (const Values values : sets) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    start = std::min(start, widest_shift(*low, *high, config));
+    zero = zero && *low == 0 && *high == 0;
+  }
+  if (zero) return {0, 0.0};
+  Choice best{std::max(start, config.shift_min), INFINITY};
+  for (int shift = best.shift; shift <= kShiftMax; ++shift) {
+    double saturation = 0;
+    const double error = weighted_error(sets, coefficients, shift, config, &saturation);
+    if (error < best.error) best = {shift, error};
+    if (saturation > best.error) break;
+  }
+  return best;
+}
+
+/// The values with those far outside the others' spread moved to its limit; empty if there are
+/// none.
+std::vector<double> limit_outliers(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  const std::size_t spare = std::max(n / kOutlierShare, std::size_t{n >= kFewestForOne ? 1U : 0U});
+  if (spare == 0) return {};
+  std::vector<double> kept = values;
+  const auto at = [&](std::size_t k) { return kept.begin() + static_cast<std::ptrdiff_t>(k); };
+  std::nth_element(kept.begin(), at(spare), kept.end());
+  const double low = *at(spare);
+  std::nth_element(at(spare), at(n - 1 - spare), kept.end());
+  const double high = *at(n - 1 - spare);
+  const double fence = (high - low) * kOutlierFence;
+  if (!std::isfinite(fence)) return {};
+  const double least = low - fence, most = high + fence;
+  if (std::all_of(values.begin(), values.end(),
+                  [&](double v) { return v >= least && v <= most; })) {
+    return {};
+  }
+  std::transform(values.begin(), values.end(), kept.begin(),
+                 [&](double v) { return std::clamp(v, least, most); });
+  return kept;
+}
+
+}  // namespace
+
+Population::Population(std::vector<double> values, double weight)
+    : all_(std::move(values)), typical_(limit_outliers(all_)), weight_(weight) {}
+
+int best_shift(std::span<const Population> coefficients, const EvalConfig& config) {
+  std::vector<Values> all, typical;
+  bool outliers = false;
+  for (const Population& coefficient : coefficients) {
+    all.push_back(coefficient.all());
+    typical.push_back(coefficient.typical());
+    outliers = outliers || coefficient.has_outliers();
+  }
+  const Choice by_all = search(all, coefficients, config);
+  if (!outliers) return by_all.shift;
+  const Choice by_typical = search(typical, coefficients, config);
+  const double typical_error = weighted_error(typical, coefficients, by_all.shift, config);
+  return typical_error > kWorthSaturating * by_typical.error ? by_typical.shift : by_all.shift;
+}
+
+int best_bias(const Population& coefficient, int shift, const EvalConfig& config) {
+  const BiasCosts all = bias_costs(coefficient.all(), shift, config);
+  if (!coefficient.has_outliers()) return all.best;
+  const BiasCosts typical = bias_costs(coefficient.typical(), shift, config);
+  const double typical_error = typical.error[static_cast<std::size_t>(all.best)];
+  return typical_error > kWorthSaturating * typical.least() ? typical.best : all.best;
+}
+
+}  // namespace ptm::quantize

@@ -1,0 +1,129 @@
+#include "model/quantize/grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace ptm::quantize {
+namespace {
+
+using reference::EvalConfig;
+
+/// Moments of the scaled values x that round to one integer, or of a run of such.
+struct Moments {
+  double count = 0, sum = 0, squares = 0;
+  double rounding = 0;  ///< sum of (x - round(x))^2
+
+  void add(const Moments& m) {
+    count += m.count;
+    sum += m.sum;
+    squares += m.squares;
+    rounding += m.rounding;
+  }
+  /// sum of (x - end)^2; the expansion may cancel to just below zero.
+  [[nodiscard]] double distance(double end) const {
+    return std::max(0.0, squares - 2 * end * sum + end * end * count);
+  }
+};
+
+/// Bin k holds the values that round to k - reach; the outermost bins hold everything beyond, and
+/// no window includes them.
+std::vector<Moments> histogram(std::span<const double> values, int shift, int reach) {
+  // Far outside every window the exact distance no longer decides; squares must stay finite.
+  constexpr double kFar = 0x1p40;
+  const double scale = std::ldexp(1.0, shift), last = reach;
+  std::vector<Moments> bins(static_cast<std::size_t>(2 * reach + 1));
+  for (const double value : values) {
+    const double x = std::clamp(value * scale, -kFar, kFar);
+    const double rounded = std::floor(x + 0.5);
+    const double bin = std::clamp(rounded, -last, last) + last;
+    Moments& m = bins[static_cast<std::size_t>(bin)];
+    m.count += 1;
+    m.sum += x;
+    m.squares += x * x;
+    m.rounding += (x - rounded) * (x - rounded);
+  }
+  return bins;
+}
+
+constexpr std::array<std::size_t, 6> kEach{0, 1, 2, 3, 4, 5};
+
+}  // namespace
+
+int coef_top(const EvalConfig& config) { return (1 << config.coef_bits) - 1; }
+
+Window delta_window(const EvalConfig& config, int bias) {
+  const int half = 1 << (config.delta_bits - 1);
+  return {std::max(-bias, -half), std::min(coef_top(config) - bias, half - 1)};
+}
+
+std::span<const std::size_t> shift_group(const EvalConfig& config, std::size_t i) {
+  const std::span<const std::size_t> all(kEach);
+  if (config.shift_groups == 6) return all.subspan(i, 1);
+  return i < 3 ? all.subspan(0, 3) : i < 5 ? all.subspan(3, 2) : all.subspan(5, 1);
+}
+
+void check_size(int width, int height, int polynomials, std::size_t values) {
+  if (width <= 0 || height <= 0 || (polynomials != 1 && polynomials != 3)) {
+    throw std::invalid_argument("a map of " + std::to_string(width) + " x " +
+                                std::to_string(height) + " texels, " + std::to_string(polynomials) +
+                                " polynomials");
+  }
+  const std::size_t expected = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                               static_cast<std::size_t>(polynomials) * kSix;
+  if (values != expected) {
+    throw std::invalid_argument("a map of " + std::to_string(values) + " coefficients, expected " +
+                                std::to_string(expected));
+  }
+}
+
+void check_grid(const Grid& grid, const EvalConfig& config) {
+  for (std::size_t i = 0; i < kSix; ++i) {
+    const bool bias_fits = grid.bias[i] >= 0 && grid.bias[i] <= coef_top(config);
+    const bool shift_fits =
+        grid.shift[i] >= config.shift_min && grid.shift[i] <= reference::kShiftMax;
+    const std::size_t first = shift_group(config, i).front();
+    if (!bias_fits || !shift_fits || grid.shift[i] != grid.shift[first]) {
+      throw std::invalid_argument("coefficient " + std::to_string(i) + " with bias " +
+                                  std::to_string(grid.bias[i]) + " and shift " +
+                                  std::to_string(grid.shift[i]) + " is not for this hardware");
+    }
+  }
+}
+
+BiasCosts bias_costs(std::span<const double> values, int shift, const EvalConfig& config) {
+  const int top = coef_top(config), reach = top + 1;
+  const std::vector<Moments> bins = histogram(values, shift, reach);
+  // below[k]: all bins under k; above[k]: all bins from k on. Summed from their own ends, so that
+  // an empty end is exactly zero.
+  std::vector<Moments> below(bins.size() + 1), above(bins.size() + 1);
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    below[k + 1] = below[k];
+    below[k + 1].add(bins[k]);
+    const std::size_t j = bins.size() - 1 - k;
+    above[j] = above[j + 1];
+    above[j].add(bins[j]);
+  }
+  const double unit = std::ldexp(1.0, -2 * shift);
+  BiasCosts costs;
+  for (int bias = 0; bias <= top; ++bias) {
+    const Window window = delta_window(config, bias);
+    const auto low = static_cast<std::size_t>(window.low + reach);
+    const auto high = static_cast<std::size_t>(window.high + reach);
+    const double outside = below[low].distance(window.low) + above[high + 1].distance(window.high);
+    const double inside = std::max(0.0, below[high + 1].rounding - below[low].rounding);
+    costs.saturation.push_back(outside * unit);
+    costs.error.push_back((outside + inside) * unit);
+  }
+  const double least = *std::min_element(costs.error.begin(), costs.error.end());
+  const auto equal = [&](double e) { return e <= least * (1 + 1e-9); };
+  const auto first = std::find_if(costs.error.begin(), costs.error.end(), equal);
+  const auto end = std::find_if_not(first, costs.error.end(), equal);
+  costs.best = static_cast<int>((first - costs.error.begin()) + (end - first - 1) / 2);
+  return costs;
+}
+
+}  // namespace ptm::quantize

@@ -1,0 +1,70 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/reference/evaluate.h"
+
+namespace ptm::reference {
+
+/// How the texture unit keeps a map in memory: planes of 32-bit words, each plane in 4 x 4 tiles
+/// of one 64-byte line, tiles and the words in them row by row.
+///
+///     LRGB  3 planes: (a0 a1 a2), (a3 a4 a5), (R G B)
+///     RGB   6 planes: (a0 a1 a2), (a3 a4 a5) of red, then green, then blue
+///
+/// The first field is in the low bits; coefficient fields are max(8, coef_bits) wide, colour
+/// fields 8. Source: HPL-98-131, section 3 (two 24-bit textures); docs/spec/pipeline.md, Texels.
+struct TextureLayout {
+  int width = 0, height = 0;
+  int planes = 3;      ///< 3 (LRGB) or 6 (RGB)
+  int field_bits = 8;  ///< of a coefficient in its word; 8..10
+
+  [[nodiscard]] constexpr std::uint64_t tiles_across() const {
+    return (static_cast<std::uint64_t>(width) + 3) / 4;
+  }
+  [[nodiscard]] constexpr std::uint64_t plane_words() const {
+    return tiles_across() * ((static_cast<std::uint64_t>(height) + 3) / 4) * 16;
+  }
+  [[nodiscard]] constexpr std::uint64_t words() const {
+    return plane_words() * static_cast<std::uint64_t>(planes);
+  }
+  /// Index of the word of one texel in one plane.
+  [[nodiscard]] constexpr std::uint64_t word(int plane, std::uint64_t x, std::uint64_t y) const {
+    const std::uint64_t tile = (y / 4) * tiles_across() + x / 4;
+    return static_cast<std::uint64_t>(plane) * plane_words() + tile * 16 + (y % 4) * 4 + x % 4;
+  }
+};
+
+/// A quantised map as the unit sees it: stored integers with one bias and shift a coefficient.
+struct StoredTexture {
+  int width = 0, height = 0;
+  bool rgb = false;                   ///< three polynomials a texel instead of one and a colour
+  std::vector<std::uint16_t> coef{};  ///< [height][width][rgb ? 3 : 1][6], a0 first
+  std::vector<std::uint8_t> color{};  ///< [height][width][3], LRGB only
+  std::array<Value, 6> bias{}, shift{};
+};
+
+/// Throws std::invalid_argument if coef_bits does not fit three fields in a word (more than 10),
+/// or a side is longer than 4,096.
+[[nodiscard]] TextureLayout layout_of(const EvalConfig& config, const StoredTexture& texture);
+
+/// The memory image, texels beyond the map's edge zero.
+[[nodiscard]] std::vector<std::uint32_t> pack_texture(const TextureLayout& layout,
+                                                      const StoredTexture& texture);
+
+/// Operands of a texel straight from the stored map.
+[[nodiscard]] LrgbOperands<> lrgb_operands(const StoredTexture& texture, std::size_t texel,
+                                           Value lu, Value lv);
+[[nodiscard]] RgbOperands<> rgb_operands(const StoredTexture& texture, std::size_t texel, Value lu,
+                                         Value lv);
+
+/// The three fields of a word.
+[[nodiscard]] constexpr std::array<Value, 3> unpack_word(std::uint32_t word, int field_bits) {
+  const std::uint32_t mask = (1U << field_bits) - 1U;
+  return {Value{word & mask}, Value{(word >> field_bits) & mask},
+          Value{(word >> (2 * field_bits)) & mask}};
+}
+
+}  // namespace ptm::reference

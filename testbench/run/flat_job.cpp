@@ -1,0 +1,69 @@
+#include "testbench/run/flat_job.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "golden/scene/flat_samples.h"
+#include "model/reference/light_code.h"
+
+namespace ptm::testbench {
+namespace {
+
+std::string decimal(double x) {
+  std::ostringstream text;
+  text << x;
+  return text.str();
+}
+
+void check_light(const FlatJob& job, const reference::EvalConfig& config,
+                 const golden::Light& light) {
+  for (const auto& [name, value] : {std::pair{"lu", light.u}, std::pair{"lv", light.v}}) {
+    if (reference::light_code(config, value)) continue;
+    throw golden::InputError(job.name, light.place, std::string(name) + " = " + decimal(value),
+                             std::string("|") + name + "| at most " +
+                                 decimal(reference::light_limit(config)) +
+                                 ", which is what light_int = " + std::to_string(config.light_int) +
+                                 " of the preset can express");
+  }
+}
+
+}  // namespace
+
+void check_hardware_limits(const FlatJob& job, const reference::EvalConfig& config) {
+  if (std::max(job.map.width, job.map.height) > reference::kLargestSide) {
+    throw golden::InputError(
+        job.map_file.string(), "header (width and height)",
+        std::to_string(job.map.width) + " x " + std::to_string(job.map.height),
+        "at most " + std::to_string(reference::kLargestSide) + " texels a side in the hardware");
+  }
+  for (const golden::Light& light : job.lights) check_light(job, config, light);
+}
+
+void choose_preset(FlatJob& job, const std::string& preset, const std::string& place) {
+  try {
+    job.config = reference::find_preset(preset).config;
+  } catch (const std::invalid_argument&) {
+    throw golden::InputError(job.name, place, "preset '" + preset + "'", "paper8, base or wide");
+  }
+  job.preset = preset;
+  check_hardware_limits(job, job.config);
+  job.hardware = store_map(job.map, job.config);
+}
+
+std::vector<reference::Fragment> make_fragments(const FlatJob& job,
+                                                const reference::EvalConfig& config,
+                                                const golden::Light& light) {
+  std::vector<reference::Fragment> fragments;
+  fragments.reserve(static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height));
+  for (int y = 0; y < job.height; ++y) {
+    for (int x = 0; x < job.width; ++x) {
+      const golden::Sample s = golden::flat_sample(x, y, job.width, job.height, light);
+      const auto fragment = reference::quantize_fragment(config, x, y, {s.u, s.v, s.lu, s.lv});
+      // check_hardware_limits() has seen every light, and u, v lie in [0, 1).
+      fragments.push_back(fragment.value());
+    }
+  }
+  return fragments;
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,118 @@
+#include "testbench/run/hardware_map.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <sstream>
+
+#include "golden/render/light_map.h"
+#include "model/quantize/import.h"
+
+namespace ptm::testbench {
+namespace {
+
+using golden::MapKind;
+using golden::PtmMap;
+using reference::StoredTexture;
+
+void take_integers(StoredTexture& texture, quantize::StoredMap&& stored) {
+  texture.coef = std::move(stored.coef);
+  std::copy(stored.bias.begin(), stored.bias.end(), texture.bias.begin());
+  std::copy(stored.shift.begin(), stored.shift.end(), texture.shift.begin());
+}
+
+quantize::Import try_verbatim(const PtmMap& map, const reference::EvalConfig& config) {
+  if (map.kind == MapKind::lum) {
+    return {std::nullopt, "a LUM map runs as an RGB map, whose coefficients are sums"};
+  }
+  return quantize::import_verbatim(
+      {map.width, map.height, static_cast<int>(map.polynomials()), map.coef, map.scale, map.bias},
+      config);
+}
+
+std::string describe(const quantize::StoredMap& stored, const std::string& why_not) {
+  std::ostringstream text;
+  text.precision(3);
+  const auto saturated =
+      std::accumulate(stored.saturated.begin(), stored.saturated.end(), std::uint64_t{0});
+  text << "quantised (" << quantize::to_string(stored.origin) << ") because " << why_not
+       << "; rms change of the luminance " << stored.rms_error << " levels, " << saturated
+       << " coefficients saturated";
+  return text.str();
+}
+
+/// The three channels' polynomials of one texel of a lum map.
+void append_lum(const PtmMap& map, std::size_t texel, std::vector<double>& coef) {
+  const golden::Coefficients y = golden::real_coefficients(map, texel);
+  const double cr = map.color[texel * 2], cb = map.color[texel * 2 + 1];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double* row = &map.lum_matrix[c * 4];
+    for (std::size_t k = 0; k < 6; ++k) coef.push_back(row[1] * y[k]);
+    coef.back() += row[0] * cr + row[2] * cb + row[3];
+  }
+}
+
+void append_texel(const PtmMap& map, std::size_t texel, std::vector<double>& coef) {
+  if (map.kind == MapKind::lum) return append_lum(map, texel, coef);
+  for (std::size_t p = 0; p < map.polynomials(); ++p) {
+    const golden::Coefficients a = golden::real_coefficients(map, texel, p);
+    coef.insert(coef.end(), a.begin(), a.end());
+  }
+}
+
+}  // namespace
+
+RealCoefficients real_polynomials(const PtmMap& map, std::size_t texel) {
+  RealCoefficients real;
+  real.polynomials = map.kind == MapKind::lrgb ? 1 : 3;
+  append_texel(map, texel, real.coef);
+  return real;
+}
+
+RealCoefficients real_polynomials(const PtmMap& map) {
+  RealCoefficients real;
+  real.polynomials = map.kind == MapKind::lrgb ? 1 : 3;
+  real.coef.reserve(map.texels() * real.polynomials * 6);
+  for (std::size_t texel = 0; texel < map.texels(); ++texel) append_texel(map, texel, real.coef);
+  return real;
+}
+
+RealCoefficients rgb_polynomials(const PtmMap& map) {
+  RealCoefficients real = real_polynomials(map);
+  if (map.kind != MapKind::lrgb) return real;
+  RealCoefficients rgb{3, {}};
+  rgb.coef.reserve(map.texels() * 18);
+  for (std::size_t texel = 0; texel < map.texels(); ++texel) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double color = map.color[texel * 3 + c] / 255.0;
+      for (std::size_t k = 0; k < 6; ++k) rgb.coef.push_back(real.coef[texel * 6 + k] * color);
+    }
+  }
+  return rgb;
+}
+
+HardwareMap store_map(const PtmMap& map, const reference::EvalConfig& config,
+                      quantize::Method method) {
+  HardwareMap hardware;
+  StoredTexture& texture = hardware.texture;
+  texture.width = map.width;
+  texture.height = map.height;
+  texture.rgb = map.kind != MapKind::lrgb;
+  if (!texture.rgb) texture.color = map.color;
+  quantize::Import import = try_verbatim(map, config);
+  if (import.map) {
+    take_integers(texture, std::move(*import.map));
+    hardware.how = "imported verbatim: the file's integers are the hardware's";
+    return hardware;
+  }
+  const RealCoefficients real = real_polynomials(map);
+  quantize::StoredMap stored =
+      quantize::quantize({map.width, map.height, static_cast<int>(real.polynomials), real.coef},
+                         config, method, quantize::hemisphere_gram());
+  hardware.origin = stored.origin;
+  hardware.how = describe(stored, import.why_not);
+  take_integers(texture, std::move(stored));
+  return hardware;
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "golden/files/ptm_map.h"
+#include "model/quantize/quantize.h"
+#include "model/reference/texture_words.h"
+
+namespace ptm::testbench {
+
+/// A map as the hardware holds it, and how it got there.
+struct HardwareMap {
+  reference::StoredTexture texture;
+  quantize::Origin origin = quantize::Origin::verbatim;
+  std::string how;  ///< one sentence for the user
+};
+
+/// Real coefficients [texel][polynomials][6] of a map, in levels. A lum map becomes three
+/// polynomials: a0..a4 times the matrix' Y column, the chroma and the offset added to a5
+/// (HPL-98-131, section 3).
+struct RealCoefficients {
+  std::size_t polynomials = 1;
+  std::vector<double> coef;
+};
+[[nodiscard]] RealCoefficients real_polynomials(const golden::PtmMap& map);
+[[nodiscard]] RealCoefficients real_polynomials(const golden::PtmMap& map, std::size_t texel);
+/// The same with an lrgb map's colour multiplied in: three polynomials whatever the kind.
+[[nodiscard]] RealCoefficients rgb_polynomials(const golden::PtmMap& map);
+
+/// Stores a map for a configuration: verbatim where the file allows it, otherwise quantised by
+/// `method` over lights spread evenly on the hemisphere.
+[[nodiscard]] HardwareMap store_map(const golden::PtmMap& map, const reference::EvalConfig& config,
+                                    quantize::Method method = quantize::Method::nearest_plane);
+
+}  // namespace ptm::testbench

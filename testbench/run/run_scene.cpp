@@ -1,0 +1,137 @@
+#include "testbench/run/run_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "golden/files/ptm_file.h"
+#include "testbench/run/picture_models.h"
+#include "testbench/run/pixel_probe.h"
+#include "testbench/run/timed_models.h"
+
+namespace ptm::testbench {
+namespace {
+
+using CyclesByModel = std::map<std::string, std::vector<std::vector<pipeline::Cycle>>>;
+
+bool names(const golden::Scene& scene, const std::string& model) {
+  return std::find(scene.models.begin(), scene.models.end(), model) != scene.models.end();
+}
+
+FlatJob make_job(const golden::Scene& scene, golden::PtmFile&& file) {
+  FlatJob job;
+  job.name = scene.file.string();
+  job.map_file = scene.map;
+  job.map = std::move(file.map);
+  job.width = scene.size ? (*scene.size)[0] : job.map.width;
+  job.height = scene.size ? (*scene.size)[1] : job.map.height;
+  job.lights = scene.lights;
+  job.tmus = scene.tmus;
+  choose_preset(job, scene.preset, scene.preset_place);
+  return job;
+}
+
+/// The reference's pictures for every preset that can express the scene's lights, for the table of
+/// the hardware's error against golden.
+void add_presets(const FlatJob& job, const ModelResult* reference, RunResult& result) {
+  for (const reference::Preset& preset : reference::kPresets) {
+    const std::string name(preset.name);
+    if (reference && name == job.preset) {
+      result.presets.push_back({name, reference->frames});
+      continue;
+    }
+    try {
+      check_hardware_limits(job, preset.config);
+    } catch (const golden::InputError& error) {
+      result.notes.push_back("preset " + name + " is left out of the table: found " +
+                             error.found() + ", expected " + error.expected());
+      continue;
+    }
+    result.presets.push_back(
+        {name, reference_frames(job, preset.config, store_map(job.map, preset.config))});
+  }
+}
+
+const ModelResult* find(const RunResult& result, const std::string& model) {
+  const auto found = std::find_if(result.models.begin(), result.models.end(),
+                                  [&](const ModelResult& m) { return m.model == model; });
+  return found == result.models.end() ? nullptr : &*found;
+}
+
+std::uint64_t differing_samples(const ModelResult& a, const ModelResult& b) {
+  std::uint64_t count = 0;
+  for (std::size_t frame = 0; frame < a.frames.size(); ++frame) {
+    const auto& x = a.frames[frame].samples;
+    const auto& y = b.frames[frame].samples;
+    for (std::size_t i = 0; i < x.size(); ++i) count += x[i] != y[i] ? 1 : 0;
+  }
+  return count;
+}
+
+/// Reference, pipeline and RTL must give the same samples; pipeline and RTL in the same cycles.
+std::vector<std::string> find_disagreements(const RunResult& result, const CyclesByModel& cycles) {
+  std::vector<std::string> found;
+  const std::array<std::array<const char*, 2>, 3> pairs{
+      {{"reference", "pipeline"}, {"reference", "rtl"}, {"pipeline", "rtl"}}};
+  for (const auto& [a, b] : pairs) {
+    const ModelResult* first = find(result, a);
+    const ModelResult* second = find(result, b);
+    if (!first || !second) continue;
+    if (const auto count = differing_samples(*first, *second)) {
+      found.push_back(std::string(a) + " and " + b + " differ in " + std::to_string(count) +
+                      " samples");
+    }
+  }
+  if (!cycles.contains("pipeline") || !cycles.contains("rtl")) return found;
+  std::uint64_t late = 0;
+  for (std::size_t frame = 0; frame < cycles.at("rtl").size(); ++frame) {
+    const auto& x = cycles.at("pipeline")[frame];
+    const auto& y = cycles.at("rtl")[frame];
+    for (std::size_t i = 0; i < x.size(); ++i) late += x[i] != y[i] ? 1 : 0;
+  }
+  if (late != 0) {
+    found.push_back("pipeline and rtl let " + std::to_string(late) +
+                    " pixels go in different cycles");
+  }
+  return found;
+}
+
+}  // namespace
+
+SceneRun run_scene(const golden::Scene& scene) {
+  golden::PtmFile file = golden::read_ptm(scene.map);
+  SceneRun run;
+  RunResult& result = run.result;
+  result.notes = file.info.notes;
+  result.map_format = file.info.format;
+  const auto job = std::make_shared<const FlatJob>(make_job(scene, std::move(file)));
+  result.scene_file = job->name;
+  result.map_file = job->map_file.string();
+  result.preset = job->preset;
+  result.width = job->width;
+  result.height = job->height;
+  for (const golden::Light& light : job->lights) result.lights.push_back({light.u, light.v});
+  result.notes.push_back("the map was " + job->hardware.how);
+
+  std::optional<ChildProcess> timing, rtl;  // forked before any thread of this process starts
+  if (names(scene, "pipeline")) timing.emplace(start_pipeline(*job));
+  if (names(scene, "rtl")) rtl.emplace(start_rtl(*job));
+  if (names(scene, "golden")) result.models.push_back(render_golden(*job));
+  if (names(scene, "reference")) result.models.push_back(render_reference(*job));
+  if (find(result, "golden")) add_presets(*job, find(result, "reference"), result);
+
+  CyclesByModel cycles;
+  for (auto* child : {&timing, &rtl}) {
+    if (!*child) continue;
+    const std::string model = child == &timing ? "pipeline" : "rtl";
+    TimedResult timed = take_result(**child, model, *job);
+    result.models.push_back(std::move(timed.model));
+    cycles[model] = std::move(timed.cycles);
+  }
+  run.disagreements = find_disagreements(result, cycles);
+  result.probe = make_probe(job, std::move(cycles));
+  return run;
+}
+
+}  // namespace ptm::testbench
