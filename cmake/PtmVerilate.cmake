@@ -1,0 +1,50 @@
+# The only place that calls Verilator.
+find_program(VERILATOR verilator REQUIRED)
+execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
+  OUTPUT_VARIABLE VERILATOR_ROOT OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+find_package(Threads REQUIRED)
+
+# Verilator's runtime, once for all designs. Its own code is not held to our warnings, nor to the
+# undefined-behaviour sanitizer (it reads and writes bit fields by unaligned casts).
+set(PTM_VERILATED_OPTIONS -w)
+if(PTM_SANITIZE MATCHES "undefined")
+  list(APPEND PTM_VERILATED_OPTIONS -fno-sanitize=undefined)
+endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  list(APPEND PTM_VERILATED_OPTIONS -O1)  # at -O0 a test takes minutes
+endif()
+add_library(ptm_verilator_runtime STATIC
+  ${VERILATOR_ROOT}/include/verilated.cpp ${VERILATOR_ROOT}/include/verilated_threads.cpp)
+target_include_directories(ptm_verilator_runtime SYSTEM PUBLIC
+  ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
+target_compile_definitions(ptm_verilator_runtime PUBLIC
+  VERILATOR=1 VM_COVERAGE=0 VM_SC=0 VM_TRACE=0 VM_TRACE_FST=0 VM_TRACE_VCD=0)
+target_compile_options(ptm_verilator_runtime PRIVATE ${PTM_VERILATED_OPTIONS})
+target_link_libraries(ptm_verilator_runtime PUBLIC Threads::Threads)
+
+# ptm_verilate(target PREFIX V... TOP module SOURCES file... [PARAMETERS Name=value...] [ASSERT])
+# - a static library with the C++ class PREFIX of that module, as one translation unit.
+# ASSERT builds the assertions of ptm_assert.svh in.
+function(ptm_verilate target)
+  cmake_parse_arguments(arg "ASSERT" "PREFIX;TOP" "SOURCES;PARAMETERS" ${ARGN})
+  set(dir ${CMAKE_CURRENT_BINARY_DIR}/${arg_PREFIX})
+  list(TRANSFORM arg_PARAMETERS PREPEND -G)
+  set(flags --cc -O3 --x-assign fast --x-initial fast -Wall)
+  if(arg_ASSERT)
+    list(APPEND flags --assert)
+  endif()
+  file(GLOB rtl_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*)
+  add_custom_command(
+    OUTPUT ${dir}/${arg_PREFIX}.h ${dir}/all.cxx
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${dir}
+    COMMAND ${VERILATOR} ${flags} ${arg_PARAMETERS} -Irtl --top-module ${arg_TOP}
+      --prefix ${arg_PREFIX} --Mdir ${dir} rtl/lint.vlt -f rtl/files.f ${arg_SOURCES}
+    COMMAND ${CMAKE_COMMAND} -D DIR=${dir} -P ${CMAKE_SOURCE_DIR}/cmake/VerilatedUnity.cmake
+    DEPENDS ${rtl_files} ${arg_SOURCES} ${CMAKE_SOURCE_DIR}/cmake/VerilatedUnity.cmake
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+    COMMENT "Verilating ${arg_PREFIX}" VERBATIM)
+  add_library(${target} STATIC ${dir}/all.cxx ${dir}/${arg_PREFIX}.h)
+  target_include_directories(${target} SYSTEM PUBLIC ${dir})
+  target_compile_options(${target} PRIVATE ${PTM_VERILATED_OPTIONS})
+  target_link_libraries(${target} PUBLIC ptm_verilator_runtime)
+endfunction()

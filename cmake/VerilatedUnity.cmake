@@ -1,0 +1,9 @@
+# cmake -D DIR=<folder> -P VerilatedUnity.cmake - one file that includes all that Verilator wrote,
+# whose names carry hashes and cannot be listed before it has run.
+file(GLOB sources RELATIVE ${DIR} ${DIR}/*.cpp)
+list(SORT sources)
+set(text "")
+foreach(source IN LISTS sources)
+  string(APPEND text "#include \"${source}\"\n")
+endforeach()
+file(WRITE ${DIR}/all.cxx "${text}")

@@ -1,0 +1,19 @@
+// Every module of the evaluator, in order: a package first, users after what they use.
+rtl/ptm_pkg.sv
+rtl/ptm_narrow.sv
+rtl/ptm_saturate.sv
+rtl/ptm_unpack.sv
+rtl/ptm_basis.sv
+rtl/ptm_products.sv
+rtl/ptm_align_term.sv
+rtl/ptm_align.sv
+rtl/ptm_sum.sv
+rtl/ptm_luminance.sv
+rtl/ptm_color_products.sv
+rtl/ptm_divide_255.sv
+rtl/ptm_color_scale.sv
+rtl/ptm_lerp.sv
+rtl/ptm_stream_reg.sv
+rtl/ptm_stream_fifo2.sv
+rtl/ptm_rgb_assemble.sv
+rtl/ptm_evaluator.sv

@@ -1,0 +1,203 @@
+#pragma once
+// The Verilated class behind RtlEvaluator; included by one generated file a variant.
+#include <verilated.h>
+
+#include "testbench/rtl/probe.h"
+#include "testbench/rtl/verilated_evaluator.h"
+
+namespace ptm::testbench {
+
+/// Dut is what Verilator made of testbench/sv/ptm_evaluator_tb.sv.
+///
+/// A clock cycle is two evaluations: the falling edge with the cycle's inputs, after which outputs
+/// are read, and the rising edge at its end.
+template <class Dut>
+class VerilatedEvaluator final : public RtlEvaluator {
+ public:
+  explicit VerilatedEvaluator(std::string_view name) : name_(name) {}
+  ~VerilatedEvaluator() override { dut_.final(); }
+
+  [[nodiscard]] std::string_view name() const override { return name_; }
+
+  RtlCounters stream_lrgb(std::uint64_t pixels, const pipeline::StreamTiming& timing,
+                          const LrgbSource& source, const Sink& sink) override {
+    dut_.rgb_map_i = 0;
+    dut_.channel_i = 0;
+    return stream<1>(pixels, timing, sink, [&](std::uint64_t pixel, unsigned) {
+      const reference::LrgbOperands<>& in = source(pixel);
+      drive(in.coef, in.bias, in.shift, in.lu, in.lv);
+      drive_rgb(in.rgb);
+    });
+  }
+
+  RtlCounters stream_rgb(std::uint64_t pixels, const pipeline::StreamTiming& timing,
+                         const RgbSource& source, const Sink& sink) override {
+    const reference::RgbOperands<>* in = nullptr;
+    return stream<3>(pixels, timing, sink, [&](std::uint64_t pixel, unsigned channel) {
+      if (channel == 0) in = &source(pixel);
+      dut_.rgb_map_i = 1;
+      dut_.channel_i = static_cast<CData>(channel);
+      drive(in->coef[channel], in->bias, in->shift, in->lu, in->lv);
+    });
+  }
+
+  void reset() override {
+    dut_.valid_i = 0;
+    dut_.ready_i = 0;
+    dut_.probe_i = probe::kNone;
+    dut_.rst_ni = 1;  // so that the next line is an edge
+    falling_edge();
+    dut_.rst_ni = 0;
+    rising_edge();
+    falling_edge();
+    dut_.rst_ni = 1;
+  }
+
+  RtlSeen cycle(const RtlPins& pins) override {
+    dut_.valid_i = pins.valid;
+    dut_.ready_i = pins.ready;
+    dut_.rgb_map_i = pins.rgb_map;
+    dut_.channel_i = static_cast<CData>(pins.channel);
+    dut_.sideband_i = pins.sideband;
+    const reference::LrgbOperands<>& in = pins.operands;
+    drive(in.coef, in.bias, in.shift, in.lu, in.lv);
+    drive_rgb(in.rgb);
+    falling_edge();
+    RtlSeen seen{dut_.ready_o != 0, dut_.valid_o != 0, pixel(), dut_.sideband_o};
+    rising_edge();
+    return seen;
+  }
+
+  [[nodiscard]] reference::Value probe(std::uint8_t number) override {
+    dut_.probe_i = number;
+    dut_.eval();
+    const auto value = static_cast<reference::Value>(dut_.probe_o);
+    dut_.probe_i = probe::kNone;
+    return value;
+  }
+
+ private:
+  /// Cycles without any transfer, though the output was ready and work was waiting, after which
+  /// the RTL is said to hang: far more than its latency.
+  static constexpr unsigned kPatience = 64;
+  static constexpr double kOutputStallMax = 0.99;
+  static constexpr unsigned kDrain = 16;  ///< cycles watched for a pixel too many
+
+  void falling_edge() {
+    dut_.clk_i = 0;
+    dut_.eval();
+  }
+  void rising_edge() {
+    dut_.clk_i = 1;
+    dut_.eval();
+  }
+
+  template <class Six>
+  void drive(const Six& coef, const Six& bias, const Six& shift, reference::Value lu,
+             reference::Value lv) {
+    for (unsigned i = 0; i < 6; ++i) {
+      dut_.coef_i[i] = static_cast<SData>(coef[i]);
+      dut_.bias_i[i] = static_cast<SData>(bias[i]);
+      dut_.shift_i[i] = static_cast<CData>(shift[i]);
+    }
+    dut_.lu_i = static_cast<IData>(lu);
+    dut_.lv_i = static_cast<IData>(lv);
+  }
+  void drive_rgb(const reference::Three<reference::Value>& rgb) {
+    for (unsigned c = 0; c < 3; ++c) dut_.rgb_i[c] = static_cast<SData>(rgb[c]);
+  }
+
+  [[nodiscard]] RtlPixel pixel() const {
+    RtlPixel pixel;
+    for (unsigned c = 0; c < 3; ++c) {
+      pixel.lum[c] = dut_.lum_o[c];
+      pixel.out[c] = dut_.rgb_o[c];
+    }
+    pixel.lum_saturated = dut_.lum_saturated_o != 0;
+    pixel.color_saturated = dut_.color_saturated_o != 0;
+    return pixel;
+  }
+
+  [[noreturn]] void fail(const char* what, std::uint64_t cycle, const char* item,
+                         std::uint64_t number) const {
+    throw RtlProtocolError("rtl " + name_ + ": " + what + " in cycle " + std::to_string(cycle) +
+                           ", " + item + " " + std::to_string(number));
+  }
+
+  static void check(const pipeline::StreamTiming& timing) {
+    if (!(timing.input_gap >= 0 && timing.input_gap <= 1)) {
+      throw std::invalid_argument("input_gap = " + std::to_string(timing.input_gap) +
+                                  ", expected 0 to 1");
+    }
+    if (!(timing.output_stall >= 0 && timing.output_stall <= kOutputStallMax)) {
+      throw std::invalid_argument("output_stall = " + std::to_string(timing.output_stall) +
+                                  ", expected 0 to 0.99");
+    }
+  }
+
+  /// The one loop of all streams: Beats operands a pixel, offered and taken as `timing` says.
+  /// drive_beat(pixel, channel) puts a beat on the pins when it is first offered.
+  template <unsigned Beats, class DriveBeat>
+  RtlCounters stream(std::uint64_t pixels, const pipeline::StreamTiming& timing, const Sink& sink,
+                     const DriveBeat& drive_beat) {
+    check(timing);
+    reset();
+    RtlCounters counters;
+    const std::uint64_t beats = pixels * Beats;
+    std::uint64_t offer_at = pipeline::gap(timing, 0), first = 0, taken_at = 0, cycle = 0;
+    unsigned idle = 0;  // cycles in a row that only a hanging unit explains
+    for (; counters.pixels < pixels; ++cycle) {
+      const bool offered = counters.beats < beats && cycle >= offer_at;
+      if (offered && cycle == offer_at) {
+        drive_beat(counters.beats / Beats, static_cast<unsigned>(counters.beats % Beats));
+        dut_.sideband_i = static_cast<IData>(counters.beats / Beats);
+      }
+      const bool blocked = pipeline::stalled(timing, cycle);
+      dut_.valid_i = offered;
+      dut_.ready_i = !blocked;
+      falling_edge();
+      const bool accepted = offered && dut_.ready_o;
+      const bool taken = dut_.valid_o && !blocked;
+      if (taken) {
+        if (counters.pixels * Beats + Beats > counters.beats) {
+          fail("a pixel before its operands", cycle, "pixel", counters.pixels);
+        }
+        if (dut_.sideband_o != static_cast<IData>(counters.pixels)) {
+          fail("another pixel's id", cycle, "pixel", counters.pixels);
+        }
+        sink(counters.pixels++, pixel(), cycle);
+        taken_at = cycle;
+      }
+      counters.output_blocked += dut_.valid_o && blocked;
+      counters.input_stalled += offered && !accepted;
+      if (accepted) {
+        if (counters.beats == 0) first = cycle;
+        offer_at = cycle + 1 + pipeline::gap(timing, ++counters.beats);
+      }
+      const bool waiting = offered || counters.beats > counters.pixels * Beats;
+      idle = accepted || taken ? 0 : idle + (waiting && !blocked);
+      if (idle > kPatience) fail("the unit hangs", cycle, "waiting for pixel", counters.pixels);
+      rising_edge();
+    }
+    counters.cycles = pixels == 0 ? 0 : taken_at - first + 1;
+    expect_silence(cycle, pixels);
+    return counters;
+  }
+
+  /// All pixels are out: no more may come.
+  void expect_silence(std::uint64_t cycle, std::uint64_t pixels) {
+    dut_.valid_i = 0;
+    dut_.ready_i = 1;
+    for (unsigned n = 0; n < kDrain; ++n) {
+      falling_edge();
+      if (dut_.valid_o) fail("a pixel too many", cycle + n, "after pixel", pixels);
+      rising_edge();
+    }
+  }
+
+  std::string name_;
+  VerilatedContext context_;
+  Dut dut_{&context_};
+};
+
+}  // namespace ptm::testbench
