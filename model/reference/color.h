@@ -9,7 +9,7 @@ namespace ptm::reference {
 template <class Int>
 using Three = std::array<Int, 3>;  ///< red, green, blue
 
-template <class Int>
+template <class Int = Value>
 struct Color {
   Three<Int> out{};  ///< 0..255
   Int saturated{};   ///< 1 if any channel was limited to 255

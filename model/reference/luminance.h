@@ -27,7 +27,7 @@ template <class Int>
   return d;
 }
 
-template <class Int>
+template <class Int = Value>
 struct Basis {
   Int uu{}, vv{}, uv{};  ///< lu^2, lv^2, lu*lv with basis_frac fraction bits
 };
@@ -86,7 +86,7 @@ template <class Int>
   return t[0] + t[1] + t[2] + t[3] + t[4] + t[5];
 }
 
-template <class Int>
+template <class Int = Value>
 struct Luminance {
   Int lum{};        ///< unsigned, lum_bits integer and lum_frac fraction bits
   Int saturated{};  ///< 1 if the clamp changed it
@@ -104,7 +104,7 @@ template <class Int>
 }
 
 /// Every intermediate value of one luminance, named as in the contract.
-template <class Int>
+template <class Int = Value>
 struct LuminanceTrace {
   Six<Int> d{};
   Basis<Int> b{};

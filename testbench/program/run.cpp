@@ -7,6 +7,7 @@
 #include "golden/scene/scene.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/report/html_text.h"
 #include "testbench/report/report.h"
 #include "testbench/run/run_scene.h"
 
@@ -19,6 +20,26 @@ struct RunOptions {
   std::string preset;
 };
 
+void print_summary(const RunResult& result, const RunComparison& comparison) {
+  for (const std::string& note : result.notes) std::cout << "note: " << note << '\n';
+  for (const ModelResult& model : result.models) {
+    std::cout << model.model << ": " << duration(model.seconds);
+    if (model.cycles) std::cout << ", " << grouped(*model.cycles) << " cycles";
+    std::cout << '\n';
+  }
+  for (const PairDifference& pair : comparison.pairs) {
+    std::cout << pair.a << " and " << pair.b << ": " << grouped(pair.difference.differing) << " of "
+              << grouped(pair.difference.samples) << " samples differ, at most "
+              << levels(pair.difference.max) << " levels, " << decibels(pair.difference.psnr_db)
+              << '\n';
+  }
+  for (const PresetDifference& preset : comparison.presets) {
+    std::cout << "preset " << preset.preset
+              << " against golden: " << decibels(preset.difference.psnr_db) << ", largest error "
+              << levels(preset.difference.max) << " levels\n";
+  }
+}
+
 void run(const RunOptions& options) {
   golden::Scene scene = golden::read_scene(options.scene);
   if (!options.models.empty()) scene.models = options.models;
@@ -27,14 +48,17 @@ void run(const RunOptions& options) {
     scene.preset_place = "--preset";
   }
   const SceneRun run = run_scene(scene);
-  write_report(run.result, options.out);
-  for (const std::string& note : run.result.notes) std::cout << "note: " << note << '\n';
-  print_summary(run.result, std::cout);
-  std::cout << "report: " << (std::filesystem::path(options.out) / "report.html").string() << '\n';
-  if (run.disagreements.empty()) return;
-  std::string message = "the models disagree";
-  for (const std::string& sentence : run.disagreements) message += "; " + sentence;
-  throw ExitError(ExitCode::disagree, message);
+  const RunComparison comparison = compare_run(run.result);
+  const ReportPaths report = write_report(run.result, comparison, options.out);
+  print_summary(run.result, comparison);
+  std::cout << "report: " << report.html.string() << '\n';
+  if (!comparison.models_agree()) {
+    throw ExitError(ExitCode::disagree, "models that must agree differ; the report says where");
+  }
+  if (run.late_pixels.value_or(0) != 0) {
+    throw ExitError(ExitCode::disagree, "pipeline and rtl differ in the cycle of " +
+                                            std::to_string(*run.late_pixels) + " pixels");
+  }
 }
 
 }  // namespace
