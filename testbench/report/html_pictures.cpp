@@ -95,6 +95,29 @@ std::vector<ShownPair> pairs_to_show(const RunComparison& comparison) {
   return shown;
 }
 
+void add_same_pairs(std::string& page, const std::vector<const PairDifference*>& same) {
+  if (same.empty()) return;
+  page += "<p class=\"soft\">Sample for sample the same: ";
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    page += (i ? ", " : "") + same[i]->b + " against " + same[i]->a;
+  }
+  page += ".</p>\n";
+}
+
+/// A few wrong pixels are hard to see in a large map, so they are named: fewer than ten worst
+/// pixels are all there are.
+void add_few_pixels(std::string& page, const PictureDifference& difference) {
+  if (difference.worst.size() >= 10) return;
+  page += "<p class=\"soft\">All pixels that differ: ";
+  for (std::size_t i = 0; i < difference.worst.size(); ++i) {
+    const WorstPixel& at = difference.worst[i];
+    page += std::string(i ? "; " : "") + "x " + std::to_string(at.x) + ", y " +
+            std::to_string(at.y) + " of light " + std::to_string(at.frame + 1) + " by " +
+            levels(at.error);
+  }
+  page += ".</p>\n";
+}
+
 }  // namespace
 
 void add_figure(std::string& page, const golden::Image8& image, const std::string& alt,
@@ -139,10 +162,7 @@ void add_differences(std::string& page, const RunResult& result, const RunCompar
     const PairDifference& pair = *shown.pair;
     const std::size_t frame = static_cast<std::size_t>(pair.difference.worst.front().frame);
     page += "<h3>" + pair.b + " against " + pair.a + "</h3>\n";
-    for (const PairDifference* other : shown.same) {
-      page += "<p class=\"soft\">" + other->b + " against " + other->a +
-              " is the same, sample for sample.</p>\n";
-    }
+    add_same_pairs(page, shown.same);
     page += "<div class=\"duo\">\n<div>\n";
     add_heat_figure(page, result, pair, frame, kFirstFrameSide);
     add_heat_legend(page, pair.difference.max);
@@ -150,6 +170,7 @@ void add_differences(std::string& page, const RunResult& result, const RunCompar
       page += "<p class=\"soft\">Light " + std::to_string(frame + 1) + ", " +
               light_of(result, frame) + ", which holds the largest error.</p>\n";
     }
+    add_few_pixels(page, pair.difference);
     page += "</div>\n";
     add_histogram(page, pair);
     page += "</div>\n";

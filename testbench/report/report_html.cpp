@@ -54,7 +54,7 @@ void add_accuracy(std::string& page, const RunResult& result, const RunCompariso
   add_tile(page, decibels(d.psnr_db), "PSNR" + against);
   add_tile(page, levels(d.max), "largest error" + against + ", in 8-bit levels");
   add_tile(page, share(d.share), "samples" + against + " whose 8-bit values differ");
-  add_tile(page, fixed(d.ssim, 5), "SSIM" + against + " (1: the same)");
+  add_tile(page, similarity(d.ssim), "SSIM" + against + " (1: the same)");
   page += "</div>\n";
 }
 

@@ -53,7 +53,8 @@ TEST(ReportPage, ShowsEveryModelsPictureAndTheHeatMap) {
   EXPECT_EQ(count(page, "<img"), 5U);
   EXPECT_EQ(count(page, "alt=\"Picture by"), 4U);
   EXPECT_EQ(count(page, "alt=\"Heat map of errors, reference against golden"), 1U);
-  EXPECT_NE(page.find("pipeline against golden is the same, sample for sample"), std::string::npos);
+  EXPECT_NE(page.find("Sample for sample the same: pipeline against golden, rtl against golden."),
+            std::string::npos);
   EXPECT_NE(page.find("reference, pipeline and rtl differ in 0 of 300 samples"), std::string::npos);
 }
 
@@ -70,6 +71,8 @@ TEST(ReportPage, ReportsModelsThatMustAgreeAndDoNot) {
             std::string::npos);
   EXPECT_NE(page.find("pipeline and rtl differ in 3 of 3,600 samples"), std::string::npos);
   EXPECT_EQ(page.find("differ in 0 of"), std::string::npos);
+  EXPECT_NE(page.find("All pixels that differ: x 7, y 2 of light 2 by 3; x 7, y 1 of light 2 by 2"),
+            std::string::npos);
   EXPECT_NE(page.find("<tr class=\"marked\"><th scope=\"row\"><code>stall_cycles</code>"),
             std::string::npos);
   EXPECT_EQ(page.find("<tr class=\"marked\"><th scope=\"row\"><code>pixels</code>"),
