@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "golden/files/png_bytes.h"
 #include "testbench/compare/heat_map.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/level_picture.h"
@@ -43,31 +42,41 @@ std::string reduction_note(int block, const char* how) {
   return "; shown 1 : " + n + ", the " + how + " of " + n + " × " + n + " pixels";
 }
 
-void add_heat_figure(std::string& page, const RunResult& result, const PairDifference& pair,
-                     std::size_t frame, int side) {
+/// A picture as data; tiny ones keep hard pixel edges when the page enlarges them.
+void add_figure(std::string& page, PngCache& pngs, const golden::Image8& image,
+                const std::string& alt, const std::string& caption_html) {
+  const bool tiny = std::max(image.width, image.height) < kTinySide;
+  page += "<figure><img" + std::string(tiny ? " class=\"tiny\"" : "") + " width=\"" +
+          std::to_string(image.width) + "\" height=\"" + std::to_string(image.height) +
+          "\" alt=\"" + html_escape(alt) + "\" src=\"" + png_uri(*pngs.encode(image)) +
+          "\"><figcaption>" + caption_html + "</figcaption></figure>\n";
+}
+
+void add_heat_figure(std::string& page, PngCache& pngs, const RunResult& result,
+                     const PairDifference& pair, std::size_t frame, int side) {
   const golden::ImageReal& a = find_model(result, pair.a)->frames[frame];
   const golden::ImageReal& b = find_model(result, pair.b)->frames[frame];
   const int block = reduction_to(a.width, a.height, side);
   const double full = pair.difference.max;
   add_figure(
-      page, heat_map(a, b, full, block),
+      page, pngs, heat_map(a, b, full, block),
       "Heat map of errors, " + pair.b + " against " + pair.a + ", light " + light_of(result, frame),
       "<b>|" + pair.b + " − " + pair.a + "|</b>, largest of the channels; black 0, pale yellow " +
           levels(full) + " levels" + reduction_note(block, "largest"));
 }
 
-void add_frame(std::string& page, const RunResult& result, std::size_t frame, int side,
-               const PairDifference* heat) {
+void add_frame(std::string& page, PngCache& pngs, const RunResult& result, std::size_t frame,
+               int side, const PairDifference* heat) {
   page += "<div class=\"row\">\n";
   for (const ModelResult& model : result.models) {
     const int block = reduction_to(result.width, result.height, side);
-    add_figure(page, level_picture(model.frames[frame], block),
+    add_figure(page, pngs, level_picture(model.frames[frame], block),
                "Picture by " + model.model + ", light " + light_of(result, frame),
                "<b>" + model.model + "</b>" +
                    (model.model == "golden" ? ", rounded to 8 bits" : "") +
                    reduction_note(block, "mean"));
   }
-  if (heat) add_heat_figure(page, result, *heat, frame, side);
+  if (heat) add_heat_figure(page, pngs, result, *heat, frame, side);
   page += "</div>\n";
 }
 
@@ -120,21 +129,13 @@ void add_few_pixels(std::string& page, const PictureDifference& difference) {
 
 }  // namespace
 
-void add_figure(std::string& page, const golden::Image8& image, const std::string& alt,
-                const std::string& caption_html) {
-  const bool tiny = std::max(image.width, image.height) < kTinySide;
-  page += "<figure><img" + std::string(tiny ? " class=\"tiny\"" : "") + " width=\"" +
-          std::to_string(image.width) + "\" height=\"" + std::to_string(image.height) +
-          "\" alt=\"" + html_escape(alt) + "\" src=\"" + png_uri(golden::encode_png(image)) +
-          "\"><figcaption>" + caption_html + "</figcaption></figure>\n";
-}
-
-void add_pictures(std::string& page, const RunResult& result, const RunComparison& comparison) {
+void add_pictures(std::string& page, const RunResult& result, const RunComparison& comparison,
+                  PngCache& pngs) {
   const std::size_t frames = result.lights.size();
   page += "<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Pictures</h2>\n";
   if (frames == 1) {
     page += "<p class=\"soft\">Light (lu, lv) = " + light_of(result, 0) + ".</p>\n";
-    add_frame(page, result, 0, kFirstFrameSide, nullptr);
+    add_frame(page, pngs, result, 0, kFirstFrameSide, nullptr);
     page += "</section>\n";
     return;
   }
@@ -142,7 +143,7 @@ void add_pictures(std::string& page, const RunResult& result, const RunCompariso
   for (std::size_t f = 0; f < std::min(frames, kFramesShown); ++f) {
     page += "<h3>Light " + std::to_string(f + 1) + " of " + std::to_string(frames) +
             ": (lu, lv) = " + light_of(result, f) + "</h3>\n";
-    add_frame(page, result, f, f == 0 ? kFirstFrameSide : kOtherFramesSide,
+    add_frame(page, pngs, result, f, f == 0 ? kFirstFrameSide : kOtherFramesSide,
               pairs.empty() ? nullptr : pairs.front().pair);
   }
   if (frames > kFramesShown) {
@@ -153,7 +154,8 @@ void add_pictures(std::string& page, const RunResult& result, const RunCompariso
   page += "</section>\n";
 }
 
-void add_differences(std::string& page, const RunResult& result, const RunComparison& comparison) {
+void add_differences(std::string& page, const RunResult& result, const RunComparison& comparison,
+                     PngCache& pngs) {
   if (comparison.pairs.empty()) return;
   page += "<section aria-labelledby=\"where\">\n<h2 id=\"where\">Where they differ</h2>\n";
   const std::vector<ShownPair> pairs = pairs_to_show(comparison);
@@ -164,7 +166,7 @@ void add_differences(std::string& page, const RunResult& result, const RunCompar
     page += "<h3>" + pair.b + " against " + pair.a + "</h3>\n";
     add_same_pairs(page, shown.same);
     page += "<div class=\"duo\">\n<div>\n";
-    add_heat_figure(page, result, pair, frame, kFirstFrameSide);
+    add_heat_figure(page, pngs, result, pair, frame, kFirstFrameSide);
     add_heat_legend(page, pair.difference.max);
     if (result.lights.size() > 1) {
       page += "<p class=\"soft\">Light " + std::to_string(frame + 1) + ", " +

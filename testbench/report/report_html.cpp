@@ -116,7 +116,7 @@ Rec. 709 luma, windows wholly inside the picture, mean over the lights.</dd>
 
 }  // namespace html
 
-std::string report_html(const RunResult& result, const RunComparison& comparison) {
+std::string report_html(const RunResult& result, const RunComparison& comparison, PngCache& pngs) {
   std::string page = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -134,8 +134,8 @@ std::string report_html(const RunResult& result, const RunComparison& comparison
     for (const std::string& note : result.notes) page += "<li>" + html_escape(note) + "</li>\n";
     page += "</ul>\n";
   }
-  html::add_pictures(page, result, comparison);
-  html::add_differences(page, result, comparison);
+  html::add_pictures(page, result, comparison, pngs);
+  html::add_differences(page, result, comparison, pngs);
   html::add_pair_table(page, comparison);
   html::add_preset_table(page, result, comparison);
   html::add_cost_tables(page, result);
