@@ -19,8 +19,10 @@ std::vector<std::uint8_t> encode_png(const Image8& image) {
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
   if (!output) throw std::runtime_error("encode_png: " + OIIO::geterror());
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
-  // Level 4 takes a third of level 9's time and gives files of nearly its size.
-  spec.attribute("png:compressionLevel", 4);
+  // Differences to the row above, lightly packed: on photographs a sixth of level 6's time and
+  // files 5 to 30 % larger.
+  spec.attribute("png:filter", 32);
+  spec.attribute("png:compressionLevel", 2);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   if (!output->set_ioproxy(&memory) || !output->open("picture.png", spec) ||

@@ -43,8 +43,9 @@ struct PictureDifference {
 /// The 8-bit value of a sample: clamp(floor(x + 1/2), 0, 255). An integer within 0..255 is its own,
 /// so between two models of hardware "8-bit values differ" is plainly "values differ".
 [[nodiscard]] constexpr int level8(double x) noexcept {
-  // Written so that no value, NaN included, is cast out of range.
-  return !(x > 0) ? 0 : x >= 255 ? 255 : static_cast<int>(x + 0.5);
+  // No value, NaN included, is cast out of range, and nothing branches.
+  const double above = x > 0 ? x : 0;
+  return static_cast<int>((above < 255 ? above : 255) + 0.5);
 }
 
 /// Compares sequences of pictures as one: counts, means and the histogram run over all frames.

@@ -56,10 +56,11 @@ tbody tr { border-bottom: 1px solid var(--rule); }
 tbody th, thead th:first-child { text-align: left; padding-left: 8px; }
 tbody th { font-weight: 500; }
 th small { display: block; font-weight: 400; color: var(--soft); }
+table.pairs, table.presets { width: 100%; max-width: 940px; }
+.duo table { width: 100%; }
 tr.marked { background: var(--mark); } tr.marked th::after { content: " ≠"; color: var(--bad);
   font-weight: 700; }
 tr.bold td, tr.bold th { font-weight: 650; }
-.tag { font-size: 12.5px; border-radius: 3px; padding: 1px 6px; }
 code, td.value, .values tbody th { font-family: ui-monospace, "DejaVu Sans Mono", monospace;
   font-size: 13px; }
 details { border: 1px solid var(--rule); border-radius: 5px; margin: 8px 0; background: var(--panel); }
@@ -73,7 +74,7 @@ footer dt { color: var(--ink); font-weight: 600; margin-top: 8px; } footer dd { 
   max-width: 90ch; }
 @media (max-width: 600px) { header, main, footer { padding-left: 14px; padding-right: 14px; }
   h1 { font-size: 22px; } dl.facts { grid-template-columns: 1fr; } dl.facts dt { margin-top: 6px; } }
-@media print { details .scroll { display: block; } body { font-size: 12px; } }
+@media print { body { font-size: 12px; } .row, .duo, table { break-inside: avoid; } }
 )css";
 }
 

@@ -41,7 +41,7 @@ const Row kMeasures = {"Differing<small>samples</small>",
 
 Row measures(std::string head, const PictureDifference& d) {
   return {std::move(head), grouped(d.differing), share(d.share),      levels(d.max),
-          levels(d.mean),  levels(d.rmse),       decibels(d.psnr_db), fixed(d.ssim, 5)};
+          levels(d.mean),  levels(d.rmse),       decibels(d.psnr_db), similarity(d.ssim)};
 }
 
 Row headed(Row heads, const std::string& first) {
@@ -166,9 +166,10 @@ void add_preset_table(std::string& page, const RunResult& result, const RunCompa
 
 void add_cost_tables(std::string& page, const RunResult& result) {
   open_section(page, "cost", "Time, cycles and counters");
+  page += "<div class=\"duo\">\n";
   add_time_table(page, result);
   add_counter_table(page, result);
-  page += "</section>\n";
+  page += "</div>\n</section>\n";
 }
 
 }  // namespace ptm::testbench::html

@@ -92,6 +92,11 @@ std::string share(double part) {
   return (part < 0.00005 ? print("%.*g", 2, 100 * part) : fixed(100 * part, 2)) + " %";
 }
 
+std::string similarity(double ssim) {
+  if (ssim == 1) return "1";
+  return ssim > 0.999995 ? "&gt; 0.99999" : fixed(ssim, 5);
+}
+
 std::string duration(double seconds) {
   const auto three = [](double value, const char* unit) {
     return fixed(value, value >= 100 ? 0 : value >= 10 ? 1 : 2) + " " + unit;

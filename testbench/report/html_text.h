@@ -19,9 +19,10 @@ namespace ptm::testbench {
 /// Errors in 8-bit levels: an integer as it is, else three digits after the point, and never
 /// "0.000" for what is not zero (then 2e-05).
 [[nodiscard]] std::string levels(double error);
-[[nodiscard]] std::string share(double part);                ///< 12.35 %, the same about zero
-[[nodiscard]] std::string duration(double seconds);          ///< 1.24 s, 12.4 ms, 310 us
-[[nodiscard]] std::string light_text(double lu, double lv);  ///< (-1.000, 0.250)
+[[nodiscard]] std::string share(double part);        ///< 12.35 %, the same about zero
+[[nodiscard]] std::string similarity(double ssim);   ///< 0.99751, and 1 for equal pictures only
+[[nodiscard]] std::string duration(double seconds);  ///< 1.24 s, 12.4 ms, 310 us
+[[nodiscard]] std::string light_text(double lu, double lv);                    ///< (-1.000, 0.250)
 [[nodiscard]] std::string plural(std::size_t count, const std::string& noun);  ///< "1 light"
 
 }  // namespace ptm::testbench

@@ -54,7 +54,7 @@ void add_accuracy(std::string& page, const RunResult& result, const RunCompariso
   add_tile(page, decibels(d.psnr_db), "PSNR" + against);
   add_tile(page, levels(d.max), "largest error" + against + ", in 8-bit levels");
   add_tile(page, share(d.share), "samples" + against + " whose 8-bit values differ");
-  add_tile(page, fixed(d.ssim, 5), "SSIM" + against + " (1: the same)");
+  add_tile(page, similarity(d.ssim), "SSIM" + against + " (1: the same)");
   page += "</div>\n";
 }
 
@@ -116,7 +116,7 @@ Rec. 709 luma, windows wholly inside the picture, mean over the lights.</dd>
 
 }  // namespace html
 
-std::string report_html(const RunResult& result, const RunComparison& comparison) {
+std::string report_html(const RunResult& result, const RunComparison& comparison, PngCache& pngs) {
   std::string page = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -134,8 +134,8 @@ std::string report_html(const RunResult& result, const RunComparison& comparison
     for (const std::string& note : result.notes) page += "<li>" + html_escape(note) + "</li>\n";
     page += "</ul>\n";
   }
-  html::add_pictures(page, result, comparison);
-  html::add_differences(page, result, comparison);
+  html::add_pictures(page, result, comparison, pngs);
+  html::add_differences(page, result, comparison, pngs);
   html::add_pair_table(page, comparison);
   html::add_preset_table(page, result, comparison);
   html::add_cost_tables(page, result);

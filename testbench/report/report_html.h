@@ -1,13 +1,15 @@
 #pragma once
 #include <string>
 
+#include "testbench/report/png_cache.h"
 #include "testbench/report/run_comparison.h"
 
 namespace ptm::testbench {
 
 /// report.html: one static page that opens anywhere. No script, no address of another file: its
 /// pictures are PNG data, and its content security policy admits nothing else.
-[[nodiscard]] std::string report_html(const RunResult& result, const RunComparison& comparison);
+[[nodiscard]] std::string report_html(const RunResult& result, const RunComparison& comparison,
+                                      PngCache& pngs);
 
 /// At most so many frames are shown; the page says how many are left out and where they are.
 inline constexpr std::size_t kFramesShown = 12;
@@ -20,18 +22,17 @@ inline constexpr int kOtherFramesSide = 256;
 namespace html {
 [[nodiscard]] std::string style();  ///< the style sheet
 void add_summary(std::string& page, const RunResult& result, const RunComparison& comparison);
-void add_pictures(std::string& page, const RunResult& result, const RunComparison& comparison);
+void add_pictures(std::string& page, const RunResult& result, const RunComparison& comparison,
+                  PngCache& pngs);
 /// For every pair that differs: heat map of its worst frame, and histogram over all frames.
-void add_differences(std::string& page, const RunResult& result, const RunComparison& comparison);
+void add_differences(std::string& page, const RunResult& result, const RunComparison& comparison,
+                     PngCache& pngs);
 void add_pair_table(std::string& page, const RunComparison& comparison);
 void add_preset_table(std::string& page, const RunResult& result, const RunComparison& comparison);
 void add_cost_tables(std::string& page, const RunResult& result);
 void add_worst_pixels(std::string& page, const RunResult& result, const RunComparison& comparison);
 void add_definitions(std::string& page);
 
-/// A figure with the picture as data; `tiny` ones keep hard pixel edges when enlarged.
-void add_figure(std::string& page, const golden::Image8& image, const std::string& alt,
-                const std::string& caption_html);
 /// A scale of the heat map's colours from 0 to `full_scale` levels.
 void add_heat_legend(std::string& page, double full_scale);
 void add_histogram(std::string& page, const PairDifference& pair);

@@ -35,11 +35,14 @@ TEST(HtmlText, GroupsDigitsByThousands) {
   EXPECT_EQ(grouped(18446744073709551615U), "18,446,744,073,709,551,615");
 }
 
-TEST(HtmlText, NeverPrintsAFigureThatIsNotZeroAsZero) {
+TEST(HtmlText, NeverPrintsAFigureThatIsNotZeroAsZeroNorOneThatIsNotOneAsOne) {
   EXPECT_EQ(levels(0), "0");
   EXPECT_EQ(levels(2), "2");
   EXPECT_EQ(levels(0.5), "0.500");
   EXPECT_EQ(levels(0.00002), "2e-05");
+  EXPECT_EQ(similarity(1), "1");
+  EXPECT_EQ(similarity(1 - 1e-9), "&gt; 0.99999");
+  EXPECT_EQ(similarity(0.997512), "0.99751");
   EXPECT_EQ(share(0), "0 %");
   EXPECT_EQ(share(1), "100 %");
   EXPECT_EQ(share(0.12345), "12.35 %");

@@ -28,7 +28,7 @@ TEST(PngBytes, AreReadBackAsThePictureThatWasEncoded) {
     ASSERT_EQ(input->spec().height, 21);
     ASSERT_EQ(input->spec().nchannels, channels);
     std::vector<std::uint8_t> back(image.samples.size());
-    ASSERT_TRUE(input->read_image(OIIO::TypeDesc::UINT8, back.data()));
+    ASSERT_TRUE(input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, back.data()));
     EXPECT_EQ(back, image.samples);
   }
 }
