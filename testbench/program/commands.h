@@ -7,5 +7,7 @@ namespace ptm::testbench {
 
 void add_info_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
+void add_synthesize_command(CLI::App& app);
+void add_fit_command(CLI::App& app);
 
 }  // namespace ptm::testbench
