@@ -66,15 +66,22 @@ TEST(Relief, CastsLongerShadowsFromLowerLamps) {
 TEST(Relief, ShadowsFallAwayFromTheLamp) {
   // Beside the raised frame, inside it: dark where the frame stands between lamp and floor.
   const Relief relief({.size = 128, .seed = 1});
-  const auto strip = [](const Image8& picture, int x) {
+  const auto column = [](const Image8& picture, int x) {
     double sum = 0;
     for (int y = 50; y < 78; ++y) sum += picture.at(x, y, 0);
     return sum;
   };
-  const Image8 from_left = relief.photograph(light(180, 15));
-  const Image8 from_right = relief.photograph(light(0, 15));
-  EXPECT_LT(strip(from_left, 8), 0.5 * strip(from_right, 8));
-  EXPECT_LT(strip(from_right, 119), 0.5 * strip(from_left, 119));
+  const auto row = [](const Image8& picture, int y) {
+    double sum = 0;
+    for (int x = 50; x < 78; ++x) sum += picture.at(x, y, 0);
+    return sum;
+  };
+  const Image8 left = relief.photograph(light(180, 15)), right = relief.photograph(light(0, 15));
+  EXPECT_LT(column(left, 8), 0.5 * column(right, 8));
+  EXPECT_LT(column(right, 119), 0.5 * column(left, 119));
+  const Image8 above = relief.photograph(light(90, 15)), below = relief.photograph(light(270, 15));
+  EXPECT_LT(row(above, 8), 0.5 * row(below, 8));
+  EXPECT_LT(row(below, 119), 0.5 * row(above, 119));
 }
 
 TEST(Relief, IsExposedSoThatLittleIsCutOff) {
