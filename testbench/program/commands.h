@@ -10,5 +10,7 @@ void add_render_command(CLI::App& app);
 void add_vectors_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
+void add_synthesize_command(CLI::App& app);
+void add_fit_command(CLI::App& app);
 
 }  // namespace ptm::testbench

@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
   ptm::testbench::add_render_command(app);
   ptm::testbench::add_info_command(app);
   ptm::testbench::add_convert_command(app);
+  ptm::testbench::add_synthesize_command(app);
+  ptm::testbench::add_fit_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
