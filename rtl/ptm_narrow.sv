@@ -20,12 +20,15 @@ module ptm_narrow #(
 );
   if (RoundNearest != 0) begin : gen_nearest
     // One bit wider than x: 2x, and 2x is even, so adding 1 cannot wrap for k = 0 either.
-    logic signed [InBits:0] doubled, shifted, biased, halved;
+    logic signed [InBits:0] doubled, shifted, biased;
     assign doubled = {x_i, 1'b0};
     assign shifted = doubled >>> amount_i;
-    assign biased  = shifted + (InBits+1)'(signed'(2'b01));
-    assign halved  = biased >>> 1;
-    assign y_o     = OutBits'(halved);
+    assign biased  = shifted + (InBits+1)'(1);
+    if (OutBits <= InBits) begin : gen_slice
+      assign y_o = biased[OutBits:1];
+    end else begin : gen_extend
+      assign y_o = {{(OutBits-InBits){biased[InBits]}}, biased[InBits:1]};
+    end
   end else begin : gen_truncate
     logic signed [InBits-1:0] shifted;
     assign shifted = x_i >>> amount_i;

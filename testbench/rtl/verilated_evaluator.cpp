@@ -8,29 +8,6 @@ using reference::LrgbOperands;
 using reference::RgbOperands;
 using reference::Value;
 
-RtlPixel to_pixel(const reference::LrgbTrace<>& trace) {
-  RtlPixel pixel;
-  const auto& lum = trace.luminance.lum;
-  for (unsigned c = 0; c < 3; ++c) {
-    pixel.lum[c] = static_cast<std::uint16_t>(lum.lum);
-    pixel.out[c] = static_cast<std::uint8_t>(trace.color.out[c]);
-  }
-  pixel.lum_saturated = lum.saturated != 0;
-  pixel.color_saturated = trace.color.saturated != 0;
-  return pixel;
-}
-
-RtlPixel to_pixel(const reference::RgbTrace<>& trace) {
-  RtlPixel pixel;
-  for (unsigned c = 0; c < 3; ++c) {
-    pixel.lum[c] = static_cast<std::uint16_t>(trace.channel[c].lum.lum);
-    pixel.out[c] = static_cast<std::uint8_t>(trace.color.out[c]);
-  }
-  pixel.lum_saturated = trace.lum_saturated != 0;
-  pixel.color_saturated = trace.color.saturated != 0;
-  return pixel;
-}
-
 std::vector<std::pair<std::string, Value>> named_values(const RtlTrace& trace) {
   std::vector<std::pair<std::string, Value>> values;
   const auto six = [&](const char* name, const reference::Six<Value>& row) {

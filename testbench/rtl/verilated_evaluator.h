@@ -23,12 +23,38 @@ struct RtlPixel {
   bool lum_saturated = false;  ///< RGB map: any channel's
   bool color_saturated = false;
 
-  bool operator==(const RtlPixel&) const = default;
+  /// Field by field: comparing memory just written in smaller pieces stalls the processor, and
+  /// this runs in every cycle.
+  friend constexpr bool operator==(const RtlPixel& a, const RtlPixel& b) {
+    bool same = (a.lum_saturated == b.lum_saturated) & (a.color_saturated == b.color_saturated);
+    for (unsigned c = 0; c < 3; ++c) same &= (a.lum[c] == b.lum[c]) & (a.out[c] == b.out[c]);
+    return same;
+  }
 };
 
-/// The same pixel as the reference gives it.
-[[nodiscard]] RtlPixel to_pixel(const reference::LrgbTrace<>& trace);
-[[nodiscard]] RtlPixel to_pixel(const reference::RgbTrace<>& trace);
+/// The same pixel as the reference gives it. Inline, so that the compiler drops the rest of the
+/// trace.
+[[nodiscard]] inline RtlPixel to_pixel(const reference::LrgbTrace<>& trace) {
+  RtlPixel pixel;
+  const auto& lum = trace.luminance.lum;
+  for (unsigned c = 0; c < 3; ++c) {
+    pixel.lum[c] = static_cast<std::uint16_t>(lum.lum);
+    pixel.out[c] = static_cast<std::uint8_t>(trace.color.out[c]);
+  }
+  pixel.lum_saturated = lum.saturated != 0;
+  pixel.color_saturated = trace.color.saturated != 0;
+  return pixel;
+}
+[[nodiscard]] inline RtlPixel to_pixel(const reference::RgbTrace<>& trace) {
+  RtlPixel pixel;
+  for (unsigned c = 0; c < 3; ++c) {
+    pixel.lum[c] = static_cast<std::uint16_t>(trace.channel[c].lum.lum);
+    pixel.out[c] = static_cast<std::uint8_t>(trace.color.out[c]);
+  }
+  pixel.lum_saturated = trace.lum_saturated != 0;
+  pixel.color_saturated = trace.color.saturated != 0;
+  return pixel;
+}
 
 /// Counters of one run; names and meanings are the pipeline model's.
 struct RtlCounters {
@@ -47,9 +73,9 @@ struct RtlRun {
 
 /// The stage registers as one operand set passes through them; names of docs/spec/datapath.md.
 struct RtlTrace {
-  reference::LuminanceTrace<> luminance;
+  reference::LuminanceTrace<reference::Value> luminance;
   reference::Three<reference::Value> product{};
-  reference::Color<> color{};  ///< RGB map: this pass's channel in all three places
+  reference::Color<reference::Value> color{};  ///< RGB map: this pass's channel in all three places
 };
 /// d0..d5, uu, vv, uv, p0..p5, t0..t5, acc, lum, lum_saturated, product_r.., out_r.., and
 /// color_saturated, in this order.
