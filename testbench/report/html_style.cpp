@@ -58,6 +58,8 @@ tbody th { font-weight: 500; }
 th small { display: block; font-weight: 400; color: var(--soft); }
 table.pairs, table.presets { width: 100%; max-width: 940px; }
 .duo table { width: 100%; }
+table.values { min-width: min(100%, 640px); } table.values td, table.values th { padding-top: 2px;
+  padding-bottom: 2px; }
 tr.marked { background: var(--mark); } tr.marked th::after { content: " ≠"; color: var(--bad);
   font-weight: 700; }
 tr.bold td, tr.bold th { font-weight: 650; }

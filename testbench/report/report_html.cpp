@@ -53,7 +53,8 @@ void add_accuracy(std::string& page, const RunResult& result, const RunCompariso
   page += "<div class=\"tiles\">\n";
   add_tile(page, decibels(d.psnr_db), "PSNR" + against);
   add_tile(page, levels(d.max), "largest error" + against + ", in 8-bit levels");
-  add_tile(page, share(d.share), "samples" + against + " whose 8-bit values differ");
+  add_tile(page, share(d.share),
+           "samples of " + hardware + " whose 8-bit values differ from golden's");
   add_tile(page, similarity(d.ssim), "SSIM" + against + " (1: the same)");
   page += "</div>\n";
 }
