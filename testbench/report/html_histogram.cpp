@@ -9,7 +9,7 @@ namespace ptm::testbench::html {
 namespace {
 
 // The drawing's own units; the page scales it.
-constexpr double kWidth = 600, kLeft = 62, kRight = 12, kTop = 14, kPlot = 250, kHeight = 322;
+constexpr double kWidth = 600, kLeft = 84, kRight = 12, kTop = 14, kPlot = 250, kHeight = 322;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 
 std::string number(double value) { return fixed(value, 2); }
@@ -124,9 +124,9 @@ void add_heat_legend(std::string& page, double full_scale) {
       levels(full_scale) + " levels\">\n";
   for (int i = 0; i < kSteps; ++i) {
     const Rgb8 c = heat_color(static_cast<double>(i) / (kSteps - 1));
-    page += "<rect x=\"" + fixed(2 + kStep * i, 0) + "\" y=\"6\" width=\"" + fixed(kStep + 0.5, 1) +
-            "\" height=\"14\" fill=\"rgb(" + std::to_string(c[0]) + "," + std::to_string(c[1]) +
-            "," + std::to_string(c[2]) + ")\"/>";
+    page += "<rect x=\"" + fixed(2 + kStep * i, 0) + "\" y=\"6\" width=\"" + fixed(kStep, 0) +
+            "\" height=\"14\" shape-rendering=\"crispEdges\" fill=\"rgb(" + std::to_string(c[0]) +
+            "," + std::to_string(c[1]) + "," + std::to_string(c[2]) + ")\"/>";
   }
   page += '\n';
   for (int i = 0; i <= 4; ++i) {

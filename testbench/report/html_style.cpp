@@ -58,12 +58,15 @@ tbody th { font-weight: 500; }
 th small { display: block; font-weight: 400; color: var(--soft); }
 table.pairs, table.presets { width: 100%; max-width: 940px; }
 .duo table { width: 100%; }
+table.values { min-width: min(100%, 640px); } table.values td, table.values th { padding-top: 2px;
+  padding-bottom: 2px; }
 tr.marked { background: var(--mark); } tr.marked th::after { content: " ≠"; color: var(--bad);
   font-weight: 700; }
 tr.bold td, tr.bold th { font-weight: 650; }
 code, td.value, .values tbody th { font-family: ui-monospace, "DejaVu Sans Mono", monospace;
   font-size: 13px; }
-details { border: 1px solid var(--rule); border-radius: 5px; margin: 8px 0; background: var(--panel); }
+details { border: 1px solid var(--rule); border-radius: 5px; margin: 8px 0;
+  background: var(--panel); }
 summary { cursor: pointer; padding: 8px 12px; font-variant-numeric: tabular-nums; }
 summary b { margin-right: 6px; }
 details .scroll { margin: 0; padding: 2px 12px 12px; background: var(--paper);
@@ -73,7 +76,8 @@ footer { padding-bottom: 48px; color: var(--soft); font-size: 13.5px; }
 footer dt { color: var(--ink); font-weight: 600; margin-top: 8px; } footer dd { margin: 0;
   max-width: 90ch; }
 @media (max-width: 600px) { header, main, footer { padding-left: 14px; padding-right: 14px; }
-  h1 { font-size: 22px; } dl.facts { grid-template-columns: 1fr; } dl.facts dt { margin-top: 6px; } }
+  h1 { font-size: 22px; }
+  dl.facts { grid-template-columns: 1fr; } dl.facts dt { margin-top: 6px; } }
 @media print { body { font-size: 12px; } .row, .duo, table { break-inside: avoid; } }
 )css";
 }

@@ -108,7 +108,7 @@ std::string duration(double seconds) {
 
 std::string light_text(double lu, double lv) {
   std::string text = "(";  // appended to: GCC 12 warns of `"(" + fixed(...)` without cause
-  text += fixed(lu, 3) + ", " + fixed(lv, 3) + ")";
+  text += fixed(lu, 3) + ",\u00a0" + fixed(lv, 3) + ")";
   return text;
 }
 

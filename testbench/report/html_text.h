@@ -22,7 +22,7 @@ namespace ptm::testbench {
 [[nodiscard]] std::string share(double part);        ///< 12.35 %, the same about zero
 [[nodiscard]] std::string similarity(double ssim);   ///< 0.99751, and 1 for equal pictures only
 [[nodiscard]] std::string duration(double seconds);  ///< 1.24 s, 12.4 ms, 310 us
-[[nodiscard]] std::string light_text(double lu, double lv);                    ///< (-1.000, 0.250)
+[[nodiscard]] std::string light_text(double lu, double lv);  ///< (-1.000, 0.250), unbroken
 [[nodiscard]] std::string plural(std::size_t count, const std::string& noun);  ///< "1 light"
 
 }  // namespace ptm::testbench

@@ -53,7 +53,8 @@ void add_accuracy(std::string& page, const RunResult& result, const RunCompariso
   page += "<div class=\"tiles\">\n";
   add_tile(page, decibels(d.psnr_db), "PSNR" + against);
   add_tile(page, levels(d.max), "largest error" + against + ", in 8-bit levels");
-  add_tile(page, share(d.share), "samples" + against + " whose 8-bit values differ");
+  add_tile(page, share(d.share),
+           "samples of " + hardware + " whose 8-bit values differ from golden's");
   add_tile(page, similarity(d.ssim), "SSIM" + against + " (1: the same)");
   page += "</div>\n";
 }
@@ -107,7 +108,8 @@ are of absolute errors over all samples (pixels × channels × lights).</dd>
 <dt>PSNR</dt><dd>20 log10(255 / RMSE); ∞ for identical pictures.</dd>
 <dt>SSIM</dt><dd>Wang et al. 2004, 11 × 11 Gaussian window of σ 1.5, K1 = 0.01, K2 = 0.03, on
 Rec. 709 luma, windows wholly inside the picture, mean over the lights.</dd>
-<dt>Time</dt><dd>Wall time of the model alone, all lights, on the machine that made this report.</dd>
+<dt>Time</dt><dd>Wall time of the model alone, all lights,
+on the machine that made this report.</dd>
 </dl>
 <p>The same figures, unrounded, are in <code>report.json</code> beside this page.</p>
 </footer>
@@ -121,7 +123,8 @@ std::string report_html(const RunResult& result, const RunComparison& comparison
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy"
+ content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <link rel="icon" href="data:,">
 <title>)" + html_escape(result.scene_file) +

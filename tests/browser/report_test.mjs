@@ -1,6 +1,6 @@
 // report_test.mjs REPORTS OUT - opens every REPORTS/*/report.html in headless Chromium, as a file,
 // and checks what a reader would notice; screenshots go to OUT.
-// Exit codes: 0 fine, 1 a fault, 77 a skip (no Chromium, or `npm ci --ignore-scripts` not run here).
+// Exit codes: 0 fine, 1 a fault, 77 a skip (no Chromium, or no node_modules here).
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
@@ -46,7 +46,7 @@ const undecoded = (page) => page.$$eval("img", async (images) => {
 const overflow = (page) =>
   page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
 
-// Everything to be seen by someone who does not see: pictures have words, tables heads and captions.
+// For those who do not see the page: pictures have words, tables have heads and captions.
 const unnamed = (page) => page.evaluate(() => {
   const bad = [];
   for (const image of document.images) if (!image.alt.trim()) bad.push("img without alt");
@@ -84,7 +84,8 @@ const faint = (page) => page.evaluate(() => {
     return [255, 255, 255];
   };
   const bad = new Set();
-  for (const element of document.querySelectorAll("p,td,th,dt,dd,b,span,caption,figcaption,summary,text,small,li")) {
+  const texts = "p,td,th,dt,dd,b,span,caption,figcaption,summary,text,small,li";
+  for (const element of document.querySelectorAll(texts)) {
     const style = getComputedStyle(element);
     const ink = channels(element.tagName === "text" ? style.fill : style.color);
     const [low, high] = [light(ink), light(ground(element))].sort((a, b) => a - b);
@@ -99,7 +100,8 @@ async function checkAgainstJson(page, name, json) {
   const once = (count) => (count > 0 ? [count] : []);
   const same = async (selector, expected) => {
     const found = await rowsOf(page, selector);
-    expect(String(found) === String(expected), `${name}: ${selector} has ${found} rows, not ${expected}`);
+    expect(String(found) === String(expected),
+      `${name}: ${selector} has ${found} rows, not ${expected}`);
   };
   await same("table.pairs", once(json.differences.length));
   await same("table.presets", once(json.presets.length));
@@ -181,5 +183,5 @@ try {
   fs.rmSync(folder, {recursive: true, force: true});
 }
 for (const fault of faults) console.log(fault);
-console.log(`${names.length} reports opened at widths of ${WIDTHS}, light and dark; ${faults.length} faults`);
+console.log(`${names.length} reports, widths ${WIDTHS}, light and dark: ${faults.length} faults`);
 process.exit(faults.length ? 1 : 0);

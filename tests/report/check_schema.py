@@ -1,4 +1,4 @@
-"""check_schema.py SCHEMA FOLDER - every FOLDER/*/report.json holds to SCHEMA, and damaged ones do not.
+"""check_schema.py SCHEMA FOLDER - every FOLDER/*/report.json holds to SCHEMA, damaged ones do not.
 
 Exit codes: 0 fine, 1 a report or the schema is wrong, 77 python3-jsonschema is absent (a skip).
 """

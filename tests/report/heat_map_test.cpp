@@ -57,13 +57,21 @@ TEST(HeatMap, OfEqualPicturesIsTheLowestColorEverywhere) {
 
 TEST(HeatMap, KeepsASingleWrongPixelWhenItIsReduced) {
   const golden::ImageReal a(7, 5, 3);
-  golden::ImageReal b = a;
-  b.at(6, 4, 1) = 1;
-  const golden::Image8 map = heat_map(a, b, 1, 4);
-  EXPECT_EQ(map.width, 2);
-  EXPECT_EQ(map.height, 2);
-  EXPECT_EQ(color_at(map, 1, 1), heat_color(1));
-  EXPECT_EQ(color_at(map, 0, 1), heat_color(0));
+  // At the block's corners, inside it, and in the block cut off by the lower right edge.
+  const int rows[4][4] = {{0, 0, 0, 0}, {3, 3, 0, 0}, {5, 2, 1, 0}, {6, 4, 1, 1}};
+  for (const auto& [x, y, column, row] : rows) {
+    golden::ImageReal b = a;
+    b.at(x, y, 1) = 1;
+    const golden::Image8 map = heat_map(a, b, 1, 4);
+    ASSERT_EQ(map.width, 2);
+    ASSERT_EQ(map.height, 2);
+    for (int j = 0; j < 2; ++j) {
+      for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(color_at(map, i, j), heat_color(i == column && j == row ? 1 : 0))
+            << x << ' ' << y;
+      }
+    }
+  }
 }
 
 TEST(HeatMap, RefusesPicturesOfDifferentSizesAndAnEmptyBlock) {
