@@ -39,7 +39,12 @@ class FileCommands : public testing::Test {
                static_cast<std::streamsize>(bytes.size()));
     return path(name);
   }
-  std::string path(const std::string& name) { return "'" + (folder_() / name).string() + "'"; }
+  std::string path(const std::string& name) {
+    std::string quoted(1, '\'');
+    quoted += (folder_() / name).string();
+    quoted += '\'';
+    return quoted;
+  }
   ScratchFolder& folder_() { return work_.front(); }
 
   /// Both commands end with code 3, say what is wrong, and leave nothing behind.
