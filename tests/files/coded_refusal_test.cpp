@@ -154,6 +154,19 @@ TEST_P(CodedRefusal, HeaderListsOfTheWrongLength) {
   EXPECT_EQ(refusal_of(file.bytes()).place(), "line 9 (motion x)");
 }
 
+TEST_P(CodedRefusal, StreamsCutShortButEndedWithAMarker) {
+  CraftedPlanes file = lrgb(16, 16);
+  for (std::size_t i = 0; i < file.planes[5].size(); ++i) {
+    file.planes[5][i] = static_cast<std::uint8_t>(i * 37 + i / 7);
+  }
+  const Bytes whole = file.stream(5);
+  for (std::size_t size = 0; size + 2 < whole.size() * 3 / 4; ++size) {
+    file.streams[5] =
+        Bytes(whole.begin(), whole.begin() + static_cast<int>(size)) + Bytes{0xff, 0xd9};
+    EXPECT_EQ(refusal_of(file.bytes()).place().substr(0, 7), "plane 5") << size;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, CodedRefusal, testing::Values(Coding::jpeg, Coding::jpegls),
                          coding_name);
 
