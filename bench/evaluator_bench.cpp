@@ -33,13 +33,11 @@ void rtl_alone(benchmark::State& state, const reference::Preset& preset) {
   const auto rtl = make_rtl_evaluator(preset.name);
   std::uint64_t cycles = 0, sum = 0;
   for (auto _ : state) {
-    cycles += rtl->stream_lrgb(
-                     kPixels, {},
-                     [&](std::uint64_t n) -> const auto& { return pool[n % kPool]; },
-                     [&](std::uint64_t, const RtlPixel& pixel, std::uint64_t) {
-                       sum += pixel.out[0];
-                     })
-                  .cycles;
+    cycles +=
+        rtl->stream_lrgb(
+               kPixels, {}, [&](std::uint64_t n) -> const auto& { return pool[n % kPool]; },
+               [&](std::uint64_t, const RtlPixel& pixel, std::uint64_t) { sum += pixel.out[0]; })
+            .cycles;
   }
   benchmark::DoNotOptimize(sum);
   count_cycles(state, cycles);
@@ -67,8 +65,7 @@ void compared(benchmark::State& state, const reference::Preset& preset) {
   for (auto _ : state) {
     reference::with_constant_config(preset.config, [&](const auto& config) {
       cycles += rtl->stream_lrgb(
-                       kPixels, {},
-                       [&](std::uint64_t n) -> const auto& { return pool[n % kPool]; },
+                       kPixels, {}, [&](std::uint64_t n) -> const auto& { return pool[n % kPool]; },
                        [&](std::uint64_t n, const RtlPixel& pixel, std::uint64_t) {
                          const auto& in = pool[n % kPool];
                          differing += pixel != to_pixel(reference::evaluate_lrgb(config, in));

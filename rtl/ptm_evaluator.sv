@@ -84,8 +84,9 @@ module ptm_evaluator #(
   } tag_t;
 
   // valid[n], ready[n]: the handshake behind register n, and in front of register n+1
-  logic [7:0] valid, ready;
-  logic [7:1] load;
+  logic [7:0] valid /*verilator split_var*/;
+  logic [7:0] ready /*verilator split_var*/;
+  logic [7:1] load /*verilator split_var*/;
   assign valid[0] = valid_i;
   assign ready_o  = ready[0];
   for (genvar n = 1; n <= 7; n++) begin : gen_reg

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-/// What probe_o of testbench/sv/ptm_evaluator_tb.sv shows for each value of probe_i. Values stand in
-/// the stage register that holds them; where there are several, by index.
+/// What probe_o of testbench/sv/ptm_evaluator_tb.sv shows for each value of probe_i. Values stand
+/// in the stage register that holds them; where there are several, by index.
 namespace ptm::testbench::probe {
 
 inline constexpr std::uint8_t kNone = 0;

@@ -58,7 +58,7 @@ struct RtlPixel {
 
 /// Counters of one run; names and meanings are the pipeline model's.
 struct RtlCounters {
-  std::uint64_t cycles = 0;  ///< first beat accepted to last pixel taken, inclusive
+  std::uint64_t cycles = 0;          ///< first beat accepted to last pixel taken, inclusive
   std::uint64_t input_stalled = 0;   ///< cycles with an operand offered and not accepted
   std::uint64_t output_blocked = 0;  ///< cycles with a pixel offered and not taken
   std::uint64_t beats = 0;           ///< operands accepted: one an LRGB pixel, three an RGB one

@@ -9,9 +9,14 @@ namespace ptm::testbench {
 
 /// Dut is what Verilator made of testbench/sv/ptm_evaluator_tb.sv.
 ///
-/// A clock cycle is two evaluations: the falling edge with the cycle's inputs, after which outputs
-/// are read, and the rising edge at its end.
-template <class Dut>
+/// A clock cycle is one evaluation, the edge at its end. Streams read the outputs before they drive
+/// the cycle's inputs, which saves another: no output depends on an input of the same cycle
+/// (docs/spec/evaluator.md), and if one did, pixels would be lost or doubled and the run would
+/// fail.
+///
+/// Asserting says that the RTL's assertions are built in: they sample what stood before the
+/// evaluation, so what depends on the inputs must have settled by then.
+template <class Dut, bool Asserting>
 class VerilatedEvaluator final : public RtlEvaluator {
  public:
   explicit VerilatedEvaluator(std::string_view name) : name_(name) {}
@@ -46,11 +51,11 @@ class VerilatedEvaluator final : public RtlEvaluator {
     dut_.ready_i = 0;
     dut_.probe_i = probe::kNone;
     dut_.rst_ni = 1;  // so that the next line is an edge
-    falling_edge();
+    dut_.eval();
     dut_.rst_ni = 0;
-    rising_edge();
-    falling_edge();
+    clock_edge();
     dut_.rst_ni = 1;
+    dut_.eval();
   }
 
   RtlSeen cycle(const RtlPins& pins) override {
@@ -62,9 +67,9 @@ class VerilatedEvaluator final : public RtlEvaluator {
     const reference::LrgbOperands<>& in = pins.operands;
     drive(in.coef, in.bias, in.shift, in.lu, in.lv);
     drive_rgb(in.rgb);
-    falling_edge();
+    dut_.eval();  // outputs may depend on inputs here
     RtlSeen seen{dut_.ready_o != 0, dut_.valid_o != 0, pixel(), dut_.sideband_o};
-    rising_edge();
+    clock_edge();
     return seen;
   }
 
@@ -83,12 +88,9 @@ class VerilatedEvaluator final : public RtlEvaluator {
   static constexpr double kOutputStallMax = 0.99;
   static constexpr unsigned kDrain = 16;  ///< cycles watched for a pixel too many
 
-  void falling_edge() {
-    dut_.clk_i = 0;
-    dut_.eval();
-  }
-  void rising_edge() {
-    dut_.clk_i = 1;
+  void clock_edge() {
+    if constexpr (Asserting) dut_.eval();
+    dut_.clk_i = !dut_.clk_i;
     dut_.eval();
   }
 
@@ -155,7 +157,6 @@ class VerilatedEvaluator final : public RtlEvaluator {
       const bool blocked = pipeline::stalled(timing, cycle);
       dut_.valid_i = offered;
       dut_.ready_i = !blocked;
-      falling_edge();
       const bool accepted = offered && dut_.ready_o;
       const bool taken = dut_.valid_o && !blocked;
       if (taken) {
@@ -177,7 +178,7 @@ class VerilatedEvaluator final : public RtlEvaluator {
       const bool waiting = offered || counters.beats > counters.pixels * Beats;
       idle = accepted || taken ? 0 : idle + (waiting && !blocked);
       if (idle > kPatience) fail("the unit hangs", cycle, "waiting for pixel", counters.pixels);
-      rising_edge();
+      clock_edge();
     }
     counters.cycles = pixels == 0 ? 0 : taken_at - first + 1;
     expect_silence(cycle, pixels);
@@ -189,9 +190,8 @@ class VerilatedEvaluator final : public RtlEvaluator {
     dut_.valid_i = 0;
     dut_.ready_i = 1;
     for (unsigned n = 0; n < kDrain; ++n) {
-      falling_edge();
       if (dut_.valid_o) fail("a pixel too many", cycle + n, "after pixel", pixels);
-      rising_edge();
+      clock_edge();
     }
   }
 

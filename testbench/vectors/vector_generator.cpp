@@ -44,8 +44,8 @@ class Draw {
       default:
         break;
     }
-    const auto bits = static_cast<unsigned>(
-        std::bit_width(static_cast<std::uint64_t>(std::max(high, -low))));
+    const auto bits =
+        static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(std::max(high, -low))));
     const Value power = Value{1} << ((h >> 8) % (bits + 1));
     const Value near = power + static_cast<Value>((h >> 16) % 3) - 1;
     return std::clamp((h >> 24) % 2 != 0 ? near : -near, low, high);

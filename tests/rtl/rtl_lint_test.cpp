@@ -1,0 +1,50 @@
+// Verilator's lint over rtl/, every warning an error, for every preset and top module.
+#include "tests/rtl/rtl_tools.h"
+
+namespace ptm::reference {
+namespace {
+
+class RtlLint : public testing::TestWithParam<Preset> {};
+
+std::string parameters(const EvalConfig& config) {
+  std::string text;
+  for (const NamedParameter& parameter : rtl_parameters(config)) {
+    text += " -G" + std::string(parameter.name) + '=' + std::to_string(parameter.value);
+  }
+  return text;
+}
+
+TEST_P(RtlLint, TheEvaluatorIsClean) {
+  const tests::ToolRun run = tests::run_tool(
+      "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f --top-module ptm_evaluator" +
+      parameters(GetParam().config));
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(run.output, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, RtlLint, testing::ValuesIn(kPresets),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(RtlLintLerp, TheLerpIsClean) {
+  const tests::ToolRun run = tests::run_tool(
+      "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f --top-module ptm_lerp");
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(run.output, "");
+}
+
+TEST(RtlFileList, NamesEveryModuleOfTheFolder) {
+  std::vector<std::string> listed = tests::rtl_files();
+  std::sort(listed.begin(), listed.end());
+  std::vector<std::string> present;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(PTM_SOURCE_DIR) + "/rtl")) {
+    if (entry.path().extension() == ".sv") {
+      present.push_back("rtl/" + entry.path().filename().string());
+    }
+  }
+  std::sort(present.begin(), present.end());
+  EXPECT_EQ(listed, present);
+}
+
+}  // namespace
+}  // namespace ptm::reference

@@ -1,0 +1,122 @@
+// The operators in the RTL as Yosys sees them, by the rule of docs/spec/datapath.md, 'Counting
+// operations': after `hierarchy; proc; opt_clean`, not flattened, counted times instances.
+#include <array>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/rtl/rtl_tools.h"
+
+namespace ptm::reference {
+namespace {
+
+using Counts = std::map<std::string, int>;           ///< operator -> how many
+using ModuleCounts = std::map<std::string, Counts>;  ///< module, without parameters -> its own
+
+/// "$paramod$<hash>\ptm_sum" and "$paramod\ptm_sum\TermW=..." are ptm_sum.
+std::string base_name(const std::string& module) {
+  const std::size_t begin = module.find("ptm_");
+  if (begin == std::string::npos) return module;
+  return module.substr(begin, module.find('\\', begin) - begin);
+}
+
+void add_instances(const nlohmann::json& modules, const std::string& module, ModuleCounts& counts) {
+  Counts& own = counts[base_name(module)];
+  for (const auto& [name, cell] : modules.at(module).at("cells").items()) {
+    const auto type = cell.at("type").get<std::string>();
+    if (modules.contains(type)) {
+      add_instances(modules, type, counts);
+    } else {
+      ++own[type];
+    }
+  }
+}
+
+std::string yosys_script(const EvalConfig& config, const std::string& json) {
+  std::string script = "read_verilog -sv -Irtl";
+  for (const std::string& file : tests::rtl_files()) script += ' ' + file;
+  script += "; chparam";
+  for (const NamedParameter& parameter : rtl_parameters(config)) {
+    // Yosys 0.23 does not read a negative decimal.
+    std::array<char, 16> hex{};
+    std::snprintf(hex.data(), hex.size(), "32'h%08x", static_cast<unsigned>(parameter.value));
+    script += " -set " + std::string(parameter.name) + ' ' + hex.data();
+  }
+  return script + " ptm_evaluator; hierarchy -top ptm_evaluator; proc; opt_clean; write_json " +
+         json;
+}
+
+ModuleCounts count_operators(const Preset& preset) {
+  const std::string json =
+      testing::TempDir() + "ptm_operation_count_" + std::string(preset.name) + ".json";
+  const tests::ToolRun run =
+      tests::run_tool("yosys -q -p \"" + yosys_script(preset.config, json) + "\"");
+  EXPECT_EQ(run.status, 0) << run.output;
+  ModuleCounts counts;
+  std::ifstream file(json);
+  if (run.status == 0) {
+    add_instances(nlohmann::json::parse(file).at("modules"), "ptm_evaluator", counts);
+  }
+  std::filesystem::remove(json);
+  return counts;
+}
+
+int sum_of(const ModuleCounts& counts, std::initializer_list<const char*> modules,
+           const std::string& type) {
+  int sum = 0;
+  for (const char* module : modules) {
+    const Counts& own = counts.at(module);
+    const auto found = own.find(type);
+    sum += found == own.end() ? 0 : found->second;
+  }
+  return sum;
+}
+
+class RtlOperationCount : public testing::TestWithParam<Preset> {
+ protected:
+  ModuleCounts counts_ = count_operators(GetParam());
+};
+
+TEST_P(RtlOperationCount, IsElevenMultipliesAndFiveAddsInTheModulesOfD2D3D5AndD7) {
+  for (const auto& [module, own] : counts_) {
+    std::cout << GetParam().name << ' ' << module << ':';
+    for (const auto& [type, count] : own) std::cout << ' ' << type << ' ' << count;
+    std::cout << '\n';
+  }
+  const auto arithmetic = {"ptm_basis", "ptm_products", "ptm_sum", "ptm_color_products"};
+  EXPECT_EQ(sum_of(counts_, arithmetic, "$mul"), 11);
+  EXPECT_EQ(sum_of(counts_, arithmetic, "$add"), 5);
+  EXPECT_EQ(sum_of(counts_, {"ptm_basis"}, "$mul"), 3);
+  EXPECT_EQ(sum_of(counts_, {"ptm_products"}, "$mul"), 5);
+  EXPECT_EQ(sum_of(counts_, {"ptm_color_products"}, "$mul"), 3);
+  EXPECT_EQ(sum_of(counts_, {"ptm_sum"}, "$add"), 5);
+}
+
+TEST_P(RtlOperationCount, FindsNothingButMultipliesAndAddsInThoseModules) {
+  for (const char* module : {"ptm_basis", "ptm_products", "ptm_sum", "ptm_color_products"}) {
+    for (const auto& [type, count] : counts_.at(module)) {
+      EXPECT_TRUE(type == "$mul" || type == "$add") << module << " holds " << count << ' ' << type;
+    }
+  }
+}
+
+TEST_P(RtlOperationCount, FindsNoMultiplyInAnyOtherModule) {
+  for (const char* module : {"ptm_unpack", "ptm_align", "ptm_align_term", "ptm_luminance",
+                             "ptm_narrow", "ptm_divide_255", "ptm_color_scale"}) {
+    EXPECT_EQ(sum_of(counts_, {module}, "$mul"), 0) << module;
+  }
+  int all = 0;
+  for (const auto& [module, own] : counts_) {
+    for (const auto& [type, count] : own) {
+      all += type == "$mul" ? count : 0;
+      EXPECT_TRUE(type != "$div" && type != "$mod" && type != "$macc") << module << ' ' << type;
+    }
+  }
+  EXPECT_EQ(all, 11);
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, RtlOperationCount, testing::ValuesIn(kPresets),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace ptm::reference

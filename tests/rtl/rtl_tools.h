@@ -1,0 +1,47 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "model/reference/eval_config.h"
+
+/// Calling the hardware tools on the sources of rtl/.
+namespace ptm::tests {
+
+/// The files of rtl/files.f, as they are written there.
+inline std::vector<std::string> rtl_files() {
+  std::ifstream list(std::string(PTM_SOURCE_DIR) + "/rtl/files.f");
+  std::vector<std::string> files;
+  for (std::string line; std::getline(list, line);) {
+    if (!line.empty() && line.rfind("//", 0) != 0) files.push_back(line);
+  }
+  return files;
+}
+
+struct ToolRun {
+  int status = -1;
+  std::string output;  ///< both streams
+};
+
+/// Runs a command in the source folder.
+inline ToolRun run_tool(const std::string& command) {
+  ToolRun run;
+  const std::string line = "cd '" + std::string(PTM_SOURCE_DIR) + "' && " + command + " 2>&1";
+  FILE* pipe = popen(line.c_str(), "r");
+  if (pipe == nullptr) return run;
+  char buffer[4096];
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) {
+    run.output.append(buffer, n);
+  }
+  run.status = pclose(pipe);
+  return run;
+}
+
+}  // namespace ptm::tests
