@@ -51,8 +51,10 @@ class FileCommands : public testing::Test {
   void expect_refused(const std::string& file, const std::string& place,
                       const std::string& command = "convert") {
     const std::size_t before = folder_().files();
-    const Outcome outcome =
-        run(command + " " + file + (command == "convert" ? " " + path("o.ptm") : ""));
+    std::string arguments = command;
+    arguments.append(" ").append(file);
+    if (command == "convert") arguments.append(" ").append(path("o.ptm"));
+    const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 3) << outcome.err;
     EXPECT_NE(outcome.err.find(place), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find(": found "), std::string::npos) << outcome.err;
