@@ -8,7 +8,7 @@
 #include "golden/files/ptm_file.h"
 #include "golden/fit/fit_report.h"
 #include "testbench/program/commands.h"
-#include "testbench/run/stored_texture.h"
+#include "testbench/run/hardware_map.h"
 
 namespace ptm::testbench {
 namespace {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <sstream>
+#include <stdexcept>
 
 #include "golden/render/light_map.h"
 #include "model/quantize/import.h"
@@ -113,6 +115,25 @@ HardwareMap store_map(const PtmMap& map, const reference::EvalConfig& config,
   hardware.how = describe(stored, import.why_not);
   take_integers(texture, std::move(stored));
   return hardware;
+}
+
+golden::PtmMap to_ptm(const quantize::StoredMap& stored, golden::MapKind kind,
+                      std::vector<std::uint8_t> color) {
+  golden::PtmMap map;
+  map.kind = kind;
+  map.width = stored.width;
+  map.height = stored.height;
+  for (std::size_t i = 0; i < quantize::kSix; ++i) {
+    map.scale[i] = std::ldexp(1.0, -stored.shift[i]);
+    map.bias[i] = stored.bias[i];
+  }
+  map.coef.resize(stored.coef.size());
+  std::transform(stored.coef.begin(), stored.coef.end(), map.coef.begin(), [](std::uint16_t c) {
+    if (c > 255) throw std::invalid_argument("a .ptm holds coefficients of 8 bits");
+    return static_cast<std::uint8_t>(c);
+  });
+  map.color = std::move(color);
+  return map;
 }
 
 }  // namespace ptm::testbench

@@ -32,4 +32,9 @@ struct RealCoefficients {
 [[nodiscard]] HardwareMap store_map(const golden::PtmMap& map, const reference::EvalConfig& config,
                                     quantize::Method method = quantize::Method::nearest_plane);
 
+/// A stored map as a file's map, scale 2^-shift, so that store_map() takes it verbatim.
+/// Requires coefficients of at most 8 bits (std::invalid_argument); the colour as PtmMap wants it.
+[[nodiscard]] golden::PtmMap to_ptm(const quantize::StoredMap& stored, golden::MapKind kind,
+                                    std::vector<std::uint8_t> color);
+
 }  // namespace ptm::testbench

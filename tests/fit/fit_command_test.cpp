@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "golden/files/ptm_file.h"
-#include "testbench/run/stored_texture.h"
+#include "testbench/run/hardware_map.h"
 #include "tests/fit/scratch_folder.h"
 #include "tests/shared_data.h"
 
@@ -58,11 +58,10 @@ TEST(FitCommand, MakesAMapOfASynthesizedCaptureThatTheHardwareTakesVerbatim) {
   EXPECT_GT(stored, 18);  // a polynomial cannot follow cast shadows; much less is a wrong picture
   EXPECT_NEAR(stored, real, 0.1);
   const golden::PtmMap map = golden::read_ptm(folder / "map.ptm").map;
-  const StoredTexture texture =
-      store_texture(map, reference::kBase, quantize::Method::nearest_plane);
-  EXPECT_EQ(texture.why_not_verbatim, "");
-  EXPECT_EQ(nlohmann::json(texture.map.shift), json.at("shift"));
-  EXPECT_EQ(nlohmann::json(texture.map.bias), json.at("bias"));
+  const HardwareMap hardware = store_map(map, reference::kBase);
+  EXPECT_EQ(hardware.origin, quantize::Origin::verbatim) << hardware.how;
+  EXPECT_EQ(nlohmann::json(hardware.texture.shift), json.at("shift"));
+  EXPECT_EQ(nlohmann::json(hardware.texture.bias), json.at("bias"));
 }
 
 TEST(FitCommand, NearestPlaneBeatsPlainAgainstTheRealFit) {
