@@ -1,5 +1,7 @@
 #include <charls/charls.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "golden/files/plane_codec.h"
@@ -25,11 +27,25 @@ void check_frame(const PlaneStream& stream, const charls::frame_info& frame, int
                    runs * static_cast<std::uint64_t>(height));
 }
 
+/// The stream up to its last end marker, FF D9. Coded texels cannot hold these bytes (an FF is
+/// followed by a byte below 80). CharLS 2.4.1, given a stream without one, works on for minutes.
+std::span<const std::uint8_t> up_to_end_marker(const PlaneStream& stream) {
+  constexpr std::array<std::uint8_t, 2> marker{0xff, 0xd9};
+  const auto found =
+      std::find_end(stream.bytes.begin(), stream.bytes.end(), marker.begin(), marker.end());
+  if (found == stream.bytes.end()) {
+    throw InputError(stream.file, stream.place, "broken JPEG-LS: no end marker",
+                     "a whole grey 8-bit JPEG-LS stream");
+  }
+  return {stream.bytes.begin(), found + marker.size()};
+}
+
 }  // namespace
 
 Plane decode_jpegls_plane(const PlaneStream& stream, int width, int height) {
   try {
-    charls::jpegls_decoder decoder(stream.bytes.data(), stream.bytes.size(), true);
+    const auto bytes = up_to_end_marker(stream);
+    charls::jpegls_decoder decoder(bytes.data(), bytes.size(), true);
     check_frame(stream, decoder.frame_info(), width, height);
     Plane plane(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     decoder.decode(plane.bytes().data(), plane.bytes().size());

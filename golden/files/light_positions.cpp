@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "golden/files/whole_file.h"
+
 namespace ptm::golden {
 namespace {
 
@@ -159,21 +161,17 @@ class Reader {
 LightPositions read_light_positions(const fs::path& path) { return Reader(path).read(); }
 
 void write_light_positions(const fs::path& path, const std::vector<LitPicture>& pictures) {
-  fs::path part = path;
-  part += ".part";
-  {
-    std::ofstream out(part, std::ios::binary);
-    out << pictures.size() << '\n' << std::setprecision(17);
-    for (const LitPicture& lit : pictures) {
-      out << lit.picture.lexically_proximate(path.parent_path()).generic_string();
-      for (const double c : lit.direction) out << ' ' << c;
-      out << '\n';
-    }
-    if (!out.flush()) {
-      throw InputError(path.string(), "file", "no way to write it", "a writable folder");
-    }
+  std::ostringstream out;
+  out << pictures.size() << '\n' << std::setprecision(17);
+  for (const LitPicture& lit : pictures) {
+    out << lit.picture.lexically_proximate(path.parent_path()).generic_string();
+    for (const double c : lit.direction) out << ' ' << c;
+    out << '\n';
   }
-  fs::rename(part, path);
+  const std::string text = out.str();
+  PendingFile file(path);
+  file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  file.commit();
 }
 
 }  // namespace ptm::golden

@@ -32,7 +32,7 @@ struct LightPositions {
 [[nodiscard]] LightPositions read_light_positions(const std::filesystem::path& path);
 
 /// Writes what read_light_positions reads, names relative to the file's folder; temporary name,
-/// then rename. Throws InputError if the file cannot be written.
+/// then rename. The line numbers are not used. Throws InputError if it cannot be written.
 void write_light_positions(const std::filesystem::path& path,
                            const std::vector<LitPicture>& pictures);
 

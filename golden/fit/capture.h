@@ -20,7 +20,7 @@ struct Capture {
 
 /// Reads a .lp file and its photographs, as many at once as there are cores.
 /// Throws InputError: what read_light_positions() and read_picture() throw, and photographs of
-/// different sizes (the .lp file's line is named).
+/// different sizes (the .lp file's line is named), and samples that are not finite.
 [[nodiscard]] Capture read_capture(const std::filesystem::path& lp);
 
 }  // namespace ptm::golden

@@ -31,7 +31,12 @@ bool Evaluator::shade(const EvaluatorBeat& beat) {
   const auto lum =
       reference::evaluate_luminance(config_, beat.coef, beat.bias, beat.shift, beat.lu, beat.lv)
           .lum;
-  pixel.lum[beat.channel] = static_cast<std::uint16_t>(lum.lum);
+  const auto level = static_cast<std::uint16_t>(lum.lum);
+  if (beat.rgb_map) {
+    pixel.lum[beat.channel] = level;
+  } else {
+    pixel.lum.fill(level);
+  }
   pixel.lum_saturated = pixel.lum_saturated || lum.saturated != 0;
   if (beat.rgb_map && beat.channel < 2) return false;
   const auto color =

@@ -1,7 +1,7 @@
 #include "model/pipeline/simulate.h"
 
-#include <memory>
 #include <systemc>
+#include <utility>
 
 #include "model/pipeline/evaluator.h"
 #include "model/pipeline/ideal_memory.h"
@@ -33,29 +33,33 @@ struct EvaluatorChain {
   Evaluator evaluator;
   PixelSink sink;
 
-  EvaluatorChain(const reference::EvalConfig& config, const StreamTiming& timing)
-      : evaluator("evaluator", config), sink("sink", timing) {
+  EvaluatorChain(const reference::EvalConfig& config, const StreamTiming& timing,
+                 PixelSink::Taker take)
+      : evaluator("evaluator", config), sink("sink", timing, std::move(take)) {
     evaluator.out(sink.in);
   }
 
-  void reset(std::size_t pixels) {
+  void reset() {
     evaluator.reset();
-    sink.reset(pixels);
+    sink.reset();
   }
 
-  FrameResult result(Cycle first_fragment) {
+  /// The cycle after the last pixel was taken.
+  [[nodiscard]] Cycle end() const {
+    return sink.counters().pixels == 0 ? 0 : sink.counters().last_taken + 1;
+  }
+
+  [[nodiscard]] FrameResult result(Cycle first_fragment) const {
     FrameResult frame;
-    frame.pixels = std::move(sink.pixels());
-    frame.cycles = std::move(sink.cycles());
-    const auto& counters = evaluator.counters();
+    const Evaluator::Counters& counters = evaluator.counters();
     frame.first_operand = counters.first_accepted;
-    if (!frame.cycles.empty()) {
-      frame.total_cycles = frame.cycles.back() + 1 - first_fragment;
-      frame.evaluator_cycles = frame.cycles.back() + 1 - frame.first_operand;
+    if (end() != 0) {
+      frame.total_cycles = end() - first_fragment;
+      frame.evaluator_cycles = end() - frame.first_operand;
     }
     frame.multiplies = counters.multiplies;
     frame.input_stalled = counters.input_stalled;
-    frame.output_blocked = sink.output_blocked();
+    frame.output_blocked = sink.counters().output_blocked;
     return frame;
   }
 };
@@ -83,20 +87,52 @@ EvaluatorBeat beat_of(const RgbOperands<>& in, unsigned channel) {
   return beat;
 }
 
-/// Runs the evaluator on `count` beats that `make` yields.
+/// Runs the evaluator on as many beats as `make` yields.
 template <class Make>
 FrameResult run_chain(const reference::EvalConfig& config, const StreamTiming& timing,
-                      std::uint64_t beats, std::size_t pixels, const Make& make) {
-  EvaluatorChain chain(config, timing);
+                      std::uint64_t beats, const PixelTaker& take, const Make& make) {
+  EvaluatorChain chain(config, timing, take);
   Cycle first = 0;
   Source<EvaluatorBeat> source("source", timing, clock_period(), [&](auto& self) {
-    chain.reset(pixels);
     first = self.send(beats, make);
-    self.pass(chain.sink.cycles().empty() ? 0 : chain.sink.cycles().back() + 1);
+    self.pass(chain.end());
   });
   source.out(chain.evaluator.in);
   start_simulation();
   return chain.result(first);
+}
+
+/// Keeps what a taker is given.
+struct Keeper {
+  std::vector<Pixel> pixels;
+  std::vector<Cycle> cycles;
+
+  void reserve(std::size_t count) {
+    pixels.reserve(count);
+    cycles.reserve(count);
+  }
+  [[nodiscard]] PixelTaker taker() {
+    return [this](std::uint64_t, const Pixel& pixel, Cycle cycle) {
+      pixels.push_back(pixel);
+      cycles.push_back(cycle);
+    };
+  }
+  void move_to(FrameResult& frame) {
+    frame.pixels = std::exchange(pixels, {});
+    frame.cycles = std::exchange(cycles, {});
+  }
+};
+
+template <class Operands>
+FrameResult keep_all(const reference::EvalConfig& config, std::span<const Operands> operands,
+                     const StreamTiming& timing) {
+  Keeper keeper;
+  keeper.reserve(operands.size());
+  const std::function<const Operands&(std::uint64_t)> source =
+      [&](std::uint64_t n) -> const Operands& { return operands[n]; };
+  FrameResult frame = stream_evaluator(config, operands.size(), source, keeper.taker(), timing);
+  keeper.move_to(frame);
+  return frame;
 }
 
 }  // namespace
@@ -107,19 +143,22 @@ void simulate_unit(const reference::EvalConfig& config, const UnitConfig& unit,
   const TextureDescriptor descriptor{reference::layout_of(config, texture), texture.bias,
                                      texture.shift};
   const auto words = reference::pack_texture(descriptor.layout, texture);
-  EvaluatorChain chain(config, timing);
+  Keeper keeper;
+  EvaluatorChain chain(config, timing, keeper.taker());
   IdealMemory memory("memory", words, clock_period());
   WordFetch fetch("fetch", unit.tmus, descriptor, clock_period());
   Source<Fragment> source("source", timing, clock_period(), [&](auto& self) {
     for (std::size_t frame = 0; frame < frames.count; ++frame) {
       const std::span<const Fragment> fragments = frames.make(frame);
-      chain.reset(fragments.size());
+      keeper.reserve(fragments.size());
+      chain.reset();
       fetch.reset();
       const Cycle first = self.send(
           fragments.size(), [&](std::uint64_t n) -> const Fragment& { return fragments[n]; });
       FrameResult result = chain.result(first);
+      keeper.move_to(result);
       result.words_fetched = fetch.words_fetched();
-      self.pass(result.total_cycles);
+      self.pass(chain.end());
       frames.take(frame, std::move(result));
     }
   });
@@ -129,19 +168,33 @@ void simulate_unit(const reference::EvalConfig& config, const UnitConfig& unit,
   start_simulation();
 }
 
+FrameResult stream_evaluator(const reference::EvalConfig& config, std::uint64_t pixels,
+                             const LrgbSource& source, const PixelTaker& take,
+                             const StreamTiming& timing) {
+  return run_chain(config, timing, pixels, take,
+                   [&](std::uint64_t n) { return beat_of(source(n)); });
+}
+
+FrameResult stream_evaluator(const reference::EvalConfig& config, std::uint64_t pixels,
+                             const RgbSource& source, const PixelTaker& take,
+                             const StreamTiming& timing) {
+  const RgbOperands<>* operands = nullptr;
+  return run_chain(config, timing, pixels * 3, take, [&](std::uint64_t n) {
+    if (n % 3 == 0) operands = &source(n / 3);
+    return beat_of(*operands, static_cast<unsigned>(n % 3));
+  });
+}
+
 FrameResult simulate_evaluator(const reference::EvalConfig& config,
                                std::span<const LrgbOperands<>> operands,
                                const StreamTiming& timing) {
-  return run_chain(config, timing, operands.size(), operands.size(),
-                   [&](std::uint64_t n) { return beat_of(operands[n]); });
+  return keep_all(config, operands, timing);
 }
 
 FrameResult simulate_evaluator(const reference::EvalConfig& config,
                                std::span<const RgbOperands<>> operands,
                                const StreamTiming& timing) {
-  return run_chain(config, timing, operands.size() * 3, operands.size(), [&](std::uint64_t n) {
-    return beat_of(operands[n / 3], static_cast<unsigned>(n % 3));
-  });
+  return keep_all(config, operands, timing);
 }
 
 }  // namespace ptm::pipeline

@@ -11,6 +11,9 @@ struct StreamTiming {
   std::uint64_t seed = 0;
   double input_gap = 0;     ///< probability that an operand keeps the unit waiting
   double output_stall = 0;  ///< probability that the sink refuses in a cycle; below 1
+  /// What a source that is slower than the unit adds: idle cycles before every `group`-th item.
+  Cycle idle = 0;
+  unsigned group = 1;
 };
 
 /// SplitMix64's finaliser over two words (Steele, Lea, Flood 2014).
@@ -25,11 +28,13 @@ struct StreamTiming {
   return static_cast<double>(hashed >> 11) < probability * 0x1p53;
 }
 
-/// Idle cycles before item n is offered, after item n - 1 was accepted: 0, or 1 to 4.
+/// Idle cycles before item n is offered, after item n - 1 was accepted: the source's own, and at
+/// random none or 1 to 4 more.
 [[nodiscard]] constexpr Cycle gap(const StreamTiming& timing, std::uint64_t item) {
-  if (timing.input_gap <= 0) return 0;
+  const Cycle own = item % timing.group == 0 ? timing.idle : 0;
+  if (timing.input_gap <= 0) return own;
   const std::uint64_t h = hash(timing.seed, item);
-  return chance(h, timing.input_gap) ? 1 + hash(h, 1) % 4 : 0;
+  return own + (chance(h, timing.input_gap) ? 1 + hash(h, 1) % 4 : 0);
 }
 
 /// Whether the sink refuses in this cycle.

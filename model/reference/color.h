@@ -9,7 +9,7 @@ namespace ptm::reference {
 template <class Int>
 using Three = std::array<Int, 3>;  ///< red, green, blue
 
-template <class Int>
+template <class Int = Value>
 struct Color {
   Three<Int> out{};  ///< 0..255
   Int saturated{};   ///< 1 if any channel was limited to 255
@@ -17,7 +17,8 @@ struct Color {
 
 /// D7, products: lum * rgb[c], 3 multiplies, exact.  Twin: rtl/ptm_color_products.sv
 template <class Int>
-[[nodiscard]] constexpr Three<Int> color_products(Int lum, const Three<Int>& rgb) {
+[[nodiscard, gnu::always_inline]] constexpr Three<Int> color_products(Int lum,
+                                                                      const Three<Int>& rgb) {
   const StepScope<Int> scope(Step::color_products);
   return {lum * rgb[0], lum * rgb[1], lum * rgb[2]};
 }
@@ -30,7 +31,7 @@ template <class Int>
 /// Both are exact for 0 <= p < 65,535 and at least 255 above it (proved by exhaustion over all p
 /// in tests/reference/color_test.cpp).
 template <class Int>
-[[nodiscard]] constexpr Int divide_255(Rounding rounding, Int p) {
+[[nodiscard, gnu::always_inline]] constexpr Int divide_255(Rounding rounding, Int p) {
   if (rounding == Rounding::nearest) {
     const Int t = p + Int{Value{128}};
     return shift_right(t + shift_right(t, Value{8}), Value{8});
@@ -39,7 +40,7 @@ template <class Int>
 }
 
 template <class Int>
-[[nodiscard]] constexpr Color<Int> limit_color(const Three<Int>& exact) {
+[[nodiscard, gnu::always_inline]] constexpr Color<Int> limit_color(const Three<Int>& exact) {
   const Int top{Value{255}};
   Color<Int> color;
   for (unsigned c = 0; c < 3; ++c) {
@@ -52,8 +53,8 @@ template <class Int>
 /// D7, scale: out[c] = min(255, narrow(product[c], lum_frac + filter_frac) / 255).
 /// Twin: rtl/ptm_color_scale.sv
 template <class Int>
-[[nodiscard]] constexpr Color<Int> color_scale(const EvalConfig& config,
-                                               const Three<Int>& product) {
+[[nodiscard, gnu::always_inline]] constexpr Color<Int> color_scale(const EvalConfig& config,
+                                                                   const Three<Int>& product) {
   const StepScope<Int> scope(Step::color_scale);
   Three<Int> quotient{};
   for (unsigned c = 0; c < 3; ++c) {
@@ -66,7 +67,8 @@ template <class Int>
 
 /// RGB maps: out[c] = min(255, narrow(lum[c], lum_frac)).  Twin: rtl/ptm_color_scale.sv
 template <class Int>
-[[nodiscard]] constexpr Color<Int> color_direct(const EvalConfig& config, const Three<Int>& lum) {
+[[nodiscard, gnu::always_inline]] constexpr Color<Int> color_direct(const EvalConfig& config,
+                                                                    const Three<Int>& lum) {
   const StepScope<Int> scope(Step::color_scale);
   Three<Int> whole{};
   for (unsigned c = 0; c < 3; ++c) {

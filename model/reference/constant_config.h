@@ -8,7 +8,7 @@ namespace ptm::reference {
 /// A configuration known to the compiler, which folds every width and shift amount.
 template <EvalConfig Config>
 struct ConstantConfig {
-  constexpr operator const EvalConfig&() const { return value; }  // NOLINT: stands for the value
+  constexpr operator const EvalConfig&() const { return value; }
   static constexpr EvalConfig value = Config;
 };
 

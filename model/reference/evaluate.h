@@ -4,8 +4,9 @@
 #include "model/reference/color.h"
 #include "model/reference/luminance.h"
 
-/// A whole pixel. Give a constexpr configuration and the compiler folds it; give one at run time
-/// and any configuration in the stated ranges works.
+/// A whole pixel, for any configuration in the stated ranges. The datapath's functions are always
+/// inlined, so that a configuration known to the compiler (constant_config.h) folds every width and
+/// shift amount into the code.
 namespace ptm::reference {
 
 /// Operands of an LRGB pixel; twin of the ports of rtl/ptm_evaluator.sv.
@@ -25,8 +26,8 @@ struct LrgbTrace {
 
 /// D1 to D7: 11 multiplies, 5 adds.
 template <class Int>
-[[nodiscard]] constexpr LrgbTrace<Int> evaluate_lrgb(const EvalConfig& config,
-                                                     const LrgbOperands<Int>& in) {
+[[nodiscard, gnu::always_inline]] constexpr LrgbTrace<Int> evaluate_lrgb(
+    const EvalConfig& config, const LrgbOperands<Int>& in) {
   LrgbTrace<Int> trace;
   trace.luminance = evaluate_luminance(config, in.coef, in.bias, in.shift, in.lu, in.lv);
   trace.product = color_products(trace.luminance.lum.lum, in.rgb);
@@ -51,8 +52,8 @@ struct RgbTrace {
 
 /// D1 to D6 once a channel, 24 multiplies and 15 adds: three passes through one evaluator.
 template <class Int>
-[[nodiscard]] constexpr RgbTrace<Int> evaluate_rgb(const EvalConfig& config,
-                                                   const RgbOperands<Int>& in) {
+[[nodiscard, gnu::always_inline]] constexpr RgbTrace<Int> evaluate_rgb(const EvalConfig& config,
+                                                                       const RgbOperands<Int>& in) {
   RgbTrace<Int> trace;
   Three<Int> lum{};
   for (unsigned c = 0; c < 3; ++c) {

@@ -9,7 +9,7 @@ namespace {
 
 std::optional<Value> coordinate(double u) {
   if (!(std::abs(u) < 256.0)) return std::nullopt;  // false for NaN too
-  return static_cast<Value>(std::floor(std::ldexp(u, kCoordinateFrac) + 0.5));
+  return static_cast<Value>(std::floor(u * (1 << kCoordinateFrac) + 0.5));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ inline constexpr int kLerpFrac = 8;  ///< filter weights are Q0.8
 /// Error     half a unit (nearest), one (truncate)
 /// Twin      rtl/ptm_lerp.sv
 template <class Int>
-[[nodiscard]] constexpr Int lerp(Rounding rounding, Int a, Int b, Int f) {
+[[nodiscard, gnu::always_inline]] constexpr Int lerp(Rounding rounding, Int a, Int b, Int f) {
   const StepScope<Int> scope(Step::lerp);
   return a + narrow(rounding, (b - a) * f, Value{kLerpFrac});
 }

@@ -17,8 +17,9 @@ using Six = std::array<Int, 6>;  ///< a0 (lu^2), a1 (lv^2), a2 (lu lv), a3 (lu),
 /// Requires  coef unsigned, coef_bits + filter_frac bits; bias unsigned, coef_bits bits.
 /// Twin      rtl/ptm_unpack.sv
 template <class Int>
-[[nodiscard]] constexpr Six<Int> unpack(const EvalConfig& config, const Six<Int>& coef,
-                                        const Six<Int>& bias) {
+[[nodiscard, gnu::always_inline]] constexpr Six<Int> unpack(const EvalConfig& config,
+                                                            const Six<Int>& coef,
+                                                            const Six<Int>& bias) {
   const StepScope<Int> scope(Step::unpack);
   Six<Int> d{};
   for (unsigned i = 0; i < 6; ++i) {
@@ -27,7 +28,7 @@ template <class Int>
   return d;
 }
 
-template <class Int>
+template <class Int = Value>
 struct Basis {
   Int uu{}, vv{}, uv{};  ///< lu^2, lv^2, lu*lv with basis_frac fraction bits
 };
@@ -41,7 +42,8 @@ struct Basis {
 ///           which only |lu| = |lv| = 2^(light_int - 1) does.
 /// Twin      rtl/ptm_basis.sv
 template <class Int>
-[[nodiscard]] constexpr Basis<Int> basis(const EvalConfig& config, Int lu, Int lv) {
+[[nodiscard, gnu::always_inline]] constexpr Basis<Int> basis(const EvalConfig& config, Int lu,
+                                                             Int lv) {
   const StepScope<Int> scope(Step::basis);
   const int drop = 2 * config.light_frac - config.basis_frac;
   const int bits = widths(config).basis;
@@ -53,7 +55,8 @@ template <class Int>
 /// D3. Products, 5 multiplies, exact: p0..p2 with basis_frac fraction bits, p3 and p4 with
 /// light_frac, p5 with none (and filter_frac more each).  Twin: rtl/ptm_products.sv
 template <class Int>
-[[nodiscard]] constexpr Six<Int> products(const Six<Int>& d, const Basis<Int>& b, Int lu, Int lv) {
+[[nodiscard, gnu::always_inline]] constexpr Six<Int> products(const Six<Int>& d,
+                                                              const Basis<Int>& b, Int lu, Int lv) {
   const StepScope<Int> scope(Step::products);
   return {d[0] * b.uu, d[1] * b.vv, d[2] * b.uv, d[3] * lu, d[4] * lv, d[5]};
 }
@@ -67,8 +70,9 @@ template <class Int>
 /// Requires  shift_min <= shift[i] <= 15.
 /// Twin      rtl/ptm_align.sv
 template <class Int>
-[[nodiscard]] constexpr Six<Int> align(const EvalConfig& config, const Six<Int>& p,
-                                       const Six<Int>& shift) {
+[[nodiscard, gnu::always_inline]] constexpr Six<Int> align(const EvalConfig& config,
+                                                           const Six<Int>& p,
+                                                           const Six<Int>& shift) {
   const StepScope<Int> scope(Step::align);
   const EvalWidths w = widths(config);
   Six<Int> t{};
@@ -81,12 +85,12 @@ template <class Int>
 
 /// D5. The sum, 5 adds, in order of the coefficients.  Twin: rtl/ptm_sum.sv
 template <class Int>
-[[nodiscard]] constexpr Int sum(const Six<Int>& t) {
+[[nodiscard, gnu::always_inline]] constexpr Int sum(const Six<Int>& t) {
   const StepScope<Int> scope(Step::sum);
   return t[0] + t[1] + t[2] + t[3] + t[4] + t[5];
 }
 
-template <class Int>
+template <class Int = Value>
 struct Luminance {
   Int lum{};        ///< unsigned, lum_bits integer and lum_frac fraction bits
   Int saturated{};  ///< 1 if the clamp changed it
@@ -95,7 +99,8 @@ struct Luminance {
 /// D6. lum = clamp(narrow(acc, guard - lum_frac), 0, 2^(lum_bits + lum_frac) - 1)
 /// Twin: rtl/ptm_luminance.sv
 template <class Int>
-[[nodiscard]] constexpr Luminance<Int> luminance(const EvalConfig& config, Int acc) {
+[[nodiscard, gnu::always_inline]] constexpr Luminance<Int> luminance(const EvalConfig& config,
+                                                                     Int acc) {
   const StepScope<Int> scope(Step::luminance);
   const Int exact = narrow_constant(config.rounding, acc, config.guard - config.lum_frac);
   const Int top{(Value{1} << widths(config).lum) - 1};
@@ -104,7 +109,7 @@ template <class Int>
 }
 
 /// Every intermediate value of one luminance, named as in the contract.
-template <class Int>
+template <class Int = Value>
 struct LuminanceTrace {
   Six<Int> d{};
   Basis<Int> b{};
@@ -115,11 +120,9 @@ struct LuminanceTrace {
 
 /// D1 to D6. Values outside the stated ranges are the caller's error.
 template <class Int>
-[[nodiscard]] constexpr LuminanceTrace<Int> evaluate_luminance(const EvalConfig& config,
-                                                               const Six<Int>& coef,
-                                                               const Six<Int>& bias,
-                                                               const Six<Int>& shift, Int lu,
-                                                               Int lv) {
+[[nodiscard, gnu::always_inline]] constexpr LuminanceTrace<Int> evaluate_luminance(
+    const EvalConfig& config, const Six<Int>& coef, const Six<Int>& bias, const Six<Int>& shift,
+    Int lu, Int lv) {
   LuminanceTrace<Int> trace;
   trace.d = unpack(config, coef, bias);
   trace.b = basis(config, lu, lv);

@@ -14,7 +14,7 @@ namespace ptm::reference {
 /// Requires  0 <= k <= 62 and |x| < 2^62. k may be data (D4) or a constant.
 /// Twin      rtl/ptm_narrow.sv
 template <class Int, class Amount>
-[[nodiscard]] constexpr Int narrow(Rounding rounding, Int x, Amount k) {
+[[nodiscard, gnu::always_inline]] constexpr Int narrow(Rounding rounding, Int x, Amount k) {
   const StepScope<Int> scope(Step::narrow);
   if (rounding == Rounding::nearest) return shift_right(x + half_of(k), k);
   return shift_right(x, k);
@@ -22,14 +22,14 @@ template <class Int, class Amount>
 
 /// narrow for a constant k of either sign: k <= 0 is the exact x * 2^-k.
 template <class Int>
-[[nodiscard]] constexpr Int narrow_constant(Rounding rounding, Int x, int k) {
+[[nodiscard, gnu::always_inline]] constexpr Int narrow_constant(Rounding rounding, Int x, int k) {
   if (k <= 0) return shift_left(x, -k);
   return narrow(rounding, x, Value{k});
 }
 
 /// Clamps to the range of an n-bit two's-complement number. Twin: rtl/ptm_saturate.sv.
 template <class Int>
-[[nodiscard]] constexpr Int sat(Int x, int bits) {
+[[nodiscard, gnu::always_inline]] constexpr Int sat(Int x, int bits) {
   const Value limit = Value{1} << (bits - 1);
   return smaller(larger(x, Int{-limit}), Int{limit - 1});
 }

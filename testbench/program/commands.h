@@ -5,7 +5,12 @@
 /// A command reports trouble by throwing; main() turns that into the exit code.
 namespace ptm::testbench {
 
+void add_run_command(CLI::App& app);
+void add_render_command(CLI::App& app);
+void add_vectors_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
+void add_synthesize_command(CLI::App& app);
+void add_fit_command(CLI::App& app);
 
 }  // namespace ptm::testbench

@@ -20,8 +20,13 @@ int main(int argc, char** argv) {
   using ptm::testbench::ExitCode;
   CLI::App app{"Hardware for Polynomial Texture Maps, and the means to trust it", "ptmsim"};
   app.require_subcommand(1);
+  ptm::testbench::add_run_command(app);
+  ptm::testbench::add_render_command(app);
+  ptm::testbench::add_vectors_command(app);
   ptm::testbench::add_info_command(app);
   ptm::testbench::add_convert_command(app);
+  ptm::testbench::add_synthesize_command(app);
+  ptm::testbench::add_fit_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -50,6 +50,13 @@ void choose_preset(FlatJob& job, const std::string& preset, const std::string& p
   job.hardware = store_map(job.map, job.config);
 }
 
+reference::Fragment make_fragment(const FlatJob& job, const reference::EvalConfig& config,
+                                  const golden::Light& light, int x, int y) {
+  const golden::Sample s = golden::flat_sample(x, y, job.width, job.height, light);
+  // check_hardware_limits() has seen every light, and u, v lie in [0, 1).
+  return reference::quantize_fragment(config, x, y, {s.u, s.v, s.lu, s.lv}).value();
+}
+
 std::vector<reference::Fragment> make_fragments(const FlatJob& job,
                                                 const reference::EvalConfig& config,
                                                 const golden::Light& light) {
@@ -57,10 +64,7 @@ std::vector<reference::Fragment> make_fragments(const FlatJob& job,
   fragments.reserve(static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height));
   for (int y = 0; y < job.height; ++y) {
     for (int x = 0; x < job.width; ++x) {
-      const golden::Sample s = golden::flat_sample(x, y, job.width, job.height, light);
-      const auto fragment = reference::quantize_fragment(config, x, y, {s.u, s.v, s.lu, s.lv});
-      // check_hardware_limits() has seen every light, and u, v lie in [0, 1).
-      fragments.push_back(fragment.value());
+      fragments.push_back(make_fragment(job, config, light, x, y));
     }
   }
   return fragments;

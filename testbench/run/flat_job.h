@@ -30,6 +30,11 @@ void check_hardware_limits(const FlatJob& job, const reference::EvalConfig& conf
 /// Fills `config` and `hardware` for a preset. An unknown name throws InputError at `place`.
 void choose_preset(FlatJob& job, const std::string& preset, const std::string& place);
 
+/// The fragment of one pixel: golden's sample, quantised.
+[[nodiscard]] reference::Fragment make_fragment(const FlatJob& job,
+                                                const reference::EvalConfig& config,
+                                                const golden::Light& light, int x, int y);
+
 /// One frame's fragments in scan-line order: golden's samples, quantised. The unit's models and
 /// the reference all draw these.
 [[nodiscard]] std::vector<reference::Fragment> make_fragments(const FlatJob& job,

@@ -1,14 +1,17 @@
 #pragma once
+#include <optional>
+
 #include "golden/scene/scene.h"
 #include "testbench/run/flat_job.h"
 #include "testbench/run/run_result.h"
 
 namespace ptm::testbench {
 
-/// What a run found: the pictures, and whether the models that must be equal are.
+/// What a run found.
 struct SceneRun {
   RunResult result;
-  std::vector<std::string> disagreements;  ///< empty, or a sentence each: exit code 1
+  /// Pixels that pipeline and RTL let go in different cycles; nothing if one of them did not run.
+  std::optional<std::uint64_t> late_pixels;
 };
 
 /// Draws the scene with each model it names. Pipeline and RTL run in processes of their own while

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "model/pipeline/simulate.h"
+#include "testbench/rtl/verilated_evaluator.h"
 #include "testbench/run/stopwatch.h"
 
 namespace ptm::testbench {
@@ -65,10 +66,74 @@ void simulate_pipeline(const FlatJob& job, ResultFile& file) {
   file.put(watch.seconds() - drawing);
 }
 
+/// Sends one frame through the verilated evaluator.
+FrameResult stream_frame(RtlEvaluator& rtl, const FlatJob& job,
+                         const std::vector<Fragment>& fragments) {
+  const reference::StoredTexture& texture = job.hardware.texture;
+  FrameResult frame;
+  frame.pixels.reserve(fragments.size());
+  frame.cycles.reserve(fragments.size());
+  const auto texel = [&](std::uint64_t n) {
+    return texel_of(fragments[n], texture.width, texture.height);
+  };
+  const RtlEvaluator::Sink sink = [&](std::uint64_t, const RtlPixel& pixel, std::uint64_t cycle) {
+    frame.pixels.push_back({pixel.lum, pixel.out, pixel.lum_saturated, pixel.color_saturated});
+    frame.cycles.push_back(cycle);
+  };
+  // The words come from software, as fast as the pipeline's ideal memory lets them.
+  const unsigned passes = texture.rgb ? 3 : 1;
+  const int beats = ((texture.rgb ? 6 : 3) + job.tmus - 1) / job.tmus;
+  const auto idle = static_cast<Cycle>(std::max(0, beats - static_cast<int>(passes)));
+  const pipeline::StreamTiming timing{.idle = idle, .group = passes};
+  RtlCounters counters;
+  if (texture.rgb) {
+    reference::RgbOperands<> operands;
+    counters = rtl.stream_rgb(
+        fragments.size(), timing,
+        [&](std::uint64_t n) -> const auto& {
+          return operands =
+                     reference::rgb_operands(texture, texel(n), fragments[n].lu, fragments[n].lv);
+        },
+        sink);
+  } else {
+    reference::LrgbOperands<> operands;
+    counters = rtl.stream_lrgb(
+        fragments.size(), timing,
+        [&](std::uint64_t n) -> const auto& {
+          return operands =
+                     reference::lrgb_operands(texture, texel(n), fragments[n].lu, fragments[n].lv);
+        },
+        sink);
+  }
+  frame.first_operand = idle;
+  frame.total_cycles = frame.evaluator_cycles = counters.cycles;
+  frame.multiplies = counters.beats * (texture.rgb ? 8 : 11);
+  frame.input_stalled = counters.input_stalled;
+  frame.output_blocked = counters.output_blocked;
+  return frame;
+}
+
+void simulate_rtl(const FlatJob& job, ResultFile& file) {
+  const auto rtl = make_rtl_evaluator(job.preset);
+  double seconds = 0;
+  for (const golden::Light& light : job.lights) {
+    const std::vector<Fragment> fragments = make_fragments(job, job.config, light);
+    const Stopwatch watch;
+    const FrameResult frame = stream_frame(*rtl, job, fragments);
+    seconds += watch.seconds();
+    put_frame(file, frame, fragments.size());
+  }
+  file.put(seconds);
+}
+
 }  // namespace
 
 ChildProcess start_pipeline(const FlatJob& job) {
   return {"the pipeline model", [&](ResultFile& file) { simulate_pipeline(job, file); }};
+}
+
+ChildProcess start_rtl(const FlatJob& job) {
+  return {"the RTL model", [&](ResultFile& file) { simulate_rtl(job, file); }};
 }
 
 TimedResult take_result(ChildProcess& child, const std::string& model, const FlatJob& job) {

@@ -258,7 +258,7 @@ TEST(Quantize, TakesAQuarterOfAMillionTexelsInUnderThreeTenthsOfASecond) {
       quantize(view(real, 512, 512), EvalConfig{}, Method::nearest_plane, hemisphere_gram());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   std::cout << "512 x 512 LRGB: " << took.count() << " s\n";
-#ifdef NDEBUG
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
   EXPECT_LT(took.count(), 0.3);
 #endif
   EXPECT_GT(map.rms_error, 0);

@@ -1,0 +1,88 @@
+// ptmsim render: one map under one light, by one model.
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "golden/files/picture_file.h"
+#include "golden/files/ptm_file.h"
+#include "golden/render/light_map.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/exit_code.h"
+#include "testbench/run/picture_models.h"
+#include "testbench/run/timed_models.h"
+
+namespace ptm::testbench {
+namespace {
+
+struct RenderOptions {
+  std::string map, out;
+  std::vector<double> light;
+  std::vector<int> size;
+  std::string model = "golden", preset = "base", rounding = "nearest";
+};
+
+FlatJob make_job(const RenderOptions& options) {
+  FlatJob job;
+  job.name = "--light";
+  job.map_file = options.map;
+  job.map = golden::read_ptm(options.map).map;
+  job.width = options.size.empty() ? job.map.width : options.size[0];
+  job.height = options.size.empty() ? job.map.height : options.size[1];
+  job.lights = {{options.light[0], options.light[1], "the light"}};
+  if (options.model != "golden") choose_preset(job, options.preset, "--preset");
+  return job;
+}
+
+golden::ImageReal draw(const FlatJob& job, const std::string& model) {
+  if (model == "golden") return std::move(render_golden(job).frames.front());
+  if (model == "reference") return std::move(render_reference(job).frames.front());
+  ChildProcess child = model == "pipeline" ? start_pipeline(job) : start_rtl(job);
+  return std::move(take_result(child, model, job).model.frames.front());
+}
+
+void render(const RenderOptions& options) {
+  for (const double coordinate : options.light) {
+    if (!std::isfinite(coordinate)) {
+      throw golden::InputError("--light", "the light", "a coordinate that is no finite number",
+                               "U,V, two finite numbers");
+    }
+  }
+  const golden::ImageReal picture = draw(make_job(options), options.model);
+  const auto rounding =
+      options.rounding == "truncate" ? golden::Rounding8::truncate : golden::Rounding8::nearest;
+  golden::write_picture(options.out, golden::to_8_bit(picture, rounding));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Render one map under one light");
+  command->add_option("map", options->map, "A .ptm file")->required();
+  command
+      ->add_option("--light", options->light,
+                   "U,V: the first two coordinates of the unit vector toward the light")
+      ->delimiter(',')
+      ->expected(2)
+      ->required();
+  command->add_option("--out", options->out, "Picture to write; its ending chooses the format")
+      ->required();
+  command->add_option("--model", options->model, "Who renders")
+      ->check(CLI::IsMember({"golden", "reference", "pipeline", "rtl"}))
+      ->capture_default_str();
+  command->add_option("--preset", options->preset, "Evaluator preset of the hardware models")
+      ->check(CLI::IsMember({"paper8", "base", "wide"}))
+      ->capture_default_str();
+  command
+      ->add_option("--rounding", options->rounding,
+                   "How golden's real values become 8 bits (the hardware's are integers)")
+      ->check(CLI::IsMember({"nearest", "truncate"}))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "WxH of the picture (default: the map's)")
+      ->delimiter('x')
+      ->expected(2)
+      ->check(CLI::Range(1, golden::kLargestPicture));
+  command->callback([options] { render(*options); });
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,81 @@
+// ptmsim run: a scene through the models, compared, with a report.
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "golden/scene/scene.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/exit_code.h"
+#include "testbench/report/html_text.h"
+#include "testbench/report/report.h"
+#include "testbench/run/run_scene.h"
+
+namespace ptm::testbench {
+namespace {
+
+struct RunOptions {
+  std::string scene, out;
+  std::vector<std::string> models;
+  std::string preset;
+};
+
+void print_summary(const RunResult& result, const RunComparison& comparison) {
+  for (const std::string& note : result.notes) std::cout << "note: " << note << '\n';
+  for (const ModelResult& model : result.models) {
+    std::cout << model.model << ": " << duration(model.seconds);
+    if (model.cycles) std::cout << ", " << grouped(*model.cycles) << " cycles";
+    std::cout << '\n';
+  }
+  for (const PairDifference& pair : comparison.pairs) {
+    std::cout << pair.a << " and " << pair.b << ": " << grouped(pair.difference.differing) << " of "
+              << grouped(pair.difference.samples) << " samples differ, at most "
+              << levels(pair.difference.max) << " levels, " << decibels(pair.difference.psnr_db)
+              << '\n';
+  }
+  for (const PresetDifference& preset : comparison.presets) {
+    std::cout << "preset " << preset.preset
+              << " against golden: " << decibels(preset.difference.psnr_db) << ", largest error "
+              << levels(preset.difference.max) << " levels\n";
+  }
+}
+
+void run(const RunOptions& options) {
+  golden::Scene scene = golden::read_scene(options.scene);
+  if (!options.models.empty()) scene.models = options.models;
+  if (!options.preset.empty()) {
+    scene.preset = options.preset;
+    scene.preset_place = "--preset";
+  }
+  const SceneRun run = run_scene(scene);
+  const RunComparison comparison = compare_run(run.result);
+  const ReportPaths report = write_report(run.result, comparison, options.out);
+  print_summary(run.result, comparison);
+  std::cout << "report: " << report.html.string() << '\n';
+  if (!comparison.models_agree()) {
+    throw ExitError(ExitCode::disagree, "models that must agree differ; the report says where");
+  }
+  if (run.late_pixels.value_or(0) != 0) {
+    throw ExitError(ExitCode::disagree, "pipeline and rtl differ in the cycle of " +
+                                            std::to_string(*run.late_pixels) + " pixels");
+  }
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand(
+      "run", "Render a scene with each model, compare the pictures, write a report");
+  command->add_option("scene", options->scene, "Scene, TOML (docs/spec/scene.md)")->required();
+  command->add_option("--out", options->out, "Folder for pictures, report.json and report.html")
+      ->required();
+  command->add_option("--models", options->models, "Which models, instead of the scene's own list")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"golden", "reference", "pipeline", "rtl"}));
+  command->add_option("--preset", options->preset, "Evaluator preset, instead of the scene's own")
+      ->check(CLI::IsMember({"paper8", "base", "wide"}));
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ptm::testbench

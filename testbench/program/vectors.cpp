@@ -1,0 +1,54 @@
+// ptmsim vectors: evaluator inputs and outputs as CSV, for other people's test benches.
+#include <iostream>
+#include <memory>
+
+#include "testbench/program/commands.h"
+#include "testbench/program/exit_code.h"
+#include "testbench/vectors/vector_csv.h"
+
+namespace ptm::testbench {
+namespace {
+
+struct VectorOptions {
+  VectorRequest request;
+  std::string format = "lrgb", unit = "evaluator";
+};
+
+void print_vectors(VectorOptions options) {
+  if (options.unit == "lerp") {
+    options.request.kind = VectorKind::lerp;
+  } else if (options.format == "rgb") {
+    options.request.kind = VectorKind::rgb;
+  }
+  std::ios::sync_with_stdio(false);
+  write_vectors(options.request, std::cout);
+  std::cout.flush();
+  if (!std::cout) throw std::runtime_error("standard output: cannot be written");
+}
+
+}  // namespace
+
+void add_vectors_command(CLI::App& app) {
+  auto options = std::make_shared<VectorOptions>();
+  VectorRequest& request = options->request;
+  CLI::App* command = app.add_subcommand(
+      "vectors", "Print evaluator inputs and outputs as CSV (docs/spec/vectors.md)");
+  command->add_option("--preset", request.preset, "Evaluator preset")
+      ->check(CLI::IsMember({"paper8", "base", "wide"}))
+      ->capture_default_str();
+  command->add_option("--count", request.count, "How many rows")->capture_default_str();
+  command->add_option("--seed", request.seed, "Which operands: the same for every model")
+      ->capture_default_str();
+  command->add_option("--model", request.model, "Whose outputs")
+      ->check(CLI::IsMember({"reference", "rtl", "pipeline"}))
+      ->capture_default_str();
+  command->add_option("--format", options->format, "Pixels of an LRGB or an RGB map")
+      ->check(CLI::IsMember({"lrgb", "rgb"}))
+      ->capture_default_str();
+  command->add_option("--unit", options->unit, "The evaluator, or the filter's lerp")
+      ->check(CLI::IsMember({"evaluator", "lerp"}))
+      ->capture_default_str();
+  command->callback([options] { print_vectors(*options); });
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,80 @@
+// What each preset's bits cost on a real map, against golden, over lights on the hemisphere.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "golden/render/light_map.h"
+#include "testbench/run/picture_models.h"
+#include "tests/shared_data.h"
+
+namespace ptm::testbench {
+namespace {
+
+struct Accuracy {
+  double psnr_db = 0, largest = 0;
+};
+
+/// Forty lights spread on the hemisphere: equal steps of height, the golden angle around.
+std::vector<golden::Light> forty_lights() {
+  std::vector<golden::Light> lights;
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < 40; ++i) {
+    const double z = (i + 0.5) / 40;
+    const double r = std::sqrt(1 - z * z);
+    lights.push_back({r * std::cos(i * golden_angle), r * std::sin(i * golden_angle), "a light"});
+  }
+  return lights;
+}
+
+/// Error of the hardware's integers against golden's unrounded levels.
+Accuracy measure(const std::string& preset) {
+  FlatJob job;
+  job.map = golden::read_ptm(tests::shared_data() / "tablet2" / "tablet2_LRGB.ptm").map;
+  job.width = job.map.width;
+  job.height = job.map.height;
+  job.lights = forty_lights();
+  choose_preset(job, preset, "test");
+  Accuracy accuracy;
+  double squares = 0;
+  std::size_t samples = 0;
+  const ModelResult hardware = render_reference(job);
+  for (std::size_t frame = 0; frame < job.lights.size(); ++frame) {
+    const auto truth = golden::light_map(job.map, job.lights[frame].u, job.lights[frame].v);
+    for (std::size_t i = 0; i < truth.samples.size(); ++i) {
+      const double error = std::abs(hardware.frames[frame].samples[i] - truth.samples[i]);
+      accuracy.largest = std::max(accuracy.largest, error);
+      squares += error * error;
+    }
+    samples += truth.samples.size();
+  }
+  accuracy.psnr_db = 10 * std::log10(255.0 * 255.0 * static_cast<double>(samples) / squares);
+  std::cout << preset << ": " << accuracy.psnr_db << " dB, largest error " << accuracy.largest
+            << " levels, over 40 lights\n";
+  return accuracy;
+}
+
+TEST(PresetAccuracy, OfBaseOnATabletIsAbove56_5DbWithNoErrorOfTwoLevels) {
+  PTM_SHARED_DATA_OR_SKIP(map, "tablet2/tablet2_LRGB.ptm");
+  const Accuracy accuracy = measure("base");
+  EXPECT_GE(accuracy.psnr_db, 56.5);
+  EXPECT_LT(accuracy.largest, 2);
+}
+
+TEST(PresetAccuracy, OfWideOnATabletIsAbove58_5DbWithNoErrorAbove0_6) {
+  PTM_SHARED_DATA_OR_SKIP(map, "tablet2/tablet2_LRGB.ptm");
+  const Accuracy accuracy = measure("wide");
+  EXPECT_GE(accuracy.psnr_db, 58.5);
+  EXPECT_LE(accuracy.largest, 0.6);
+}
+
+TEST(PresetAccuracy, OfPaper8OnATabletIsPrinted) {
+  PTM_SHARED_DATA_OR_SKIP(map, "tablet2/tablet2_LRGB.ptm");
+  // Truncation to whole levels seven times over: at least a level on average, and rarely above 32,
+  // which is what seven dropped levels of a term scaled by 2^2 could come to.
+  EXPECT_GE(measure("paper8").psnr_db, 20 * std::log10(255.0 / 32));
+}
+
+}  // namespace
+}  // namespace ptm::testbench

@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "golden/files/input_error.h"
+#include "testbench/report/report.h"
+#include "testbench/report/report_json.h"
+#include "testbench/report/staged_files.h"
+#include "tests/report/made_run.h"
+
+namespace ptm::testbench {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::made_run;
+
+/// A folder of this test's own, empty, and gone afterwards.
+class ReportFiles : public testing::Test {
+ protected:
+  ReportFiles()
+      : folder_(fs::path(testing::TempDir()) /
+                ("ptm_report_" +
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    fs::remove_all(folder_);
+  }
+  ~ReportFiles() override { fs::remove_all(folder_); }
+  [[nodiscard]] std::set<std::string> names() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename());
+    return names;
+  }
+  fs::path folder_;
+};
+
+nlohmann::json read_json(const fs::path& path) {
+  std::ifstream in(path);
+  return nlohmann::json::parse(in);
+}
+
+TEST_F(ReportFiles, OfOneLightAreAPictureAModelAndTheTwoReports) {
+  const RunResult run = made_run(9, 7, 1);
+  write_report(run, compare_run(run), folder_ / "made" / "if_missing");
+  folder_ = folder_ / "made" / "if_missing";
+  const std::set<std::string> expected = {"golden.png",  "pipeline.png", "reference.png",
+                                          "report.html", "report.json",  "rtl.png"};
+  EXPECT_EQ(names(), expected);
+  folder_ = folder_.parent_path().parent_path();
+}
+
+TEST_F(ReportFiles, OfSeveralLightsAreNumberedAndListedInTheJson) {
+  const RunResult run = made_run(5, 4, 11);
+  const ReportPaths paths = write_report(run, compare_run(run), folder_);
+  EXPECT_EQ(names().size(), 4U * 11 + 2);
+  const nlohmann::json json = read_json(paths.json);
+  EXPECT_EQ(json["models"]["rtl"]["picture"], "rtl_00.png");
+  EXPECT_EQ(json["models"]["rtl"]["pictures"][10], "rtl_10.png");
+  for (const auto& [name, model] : json["models"].items()) {
+    for (const std::string picture : model["pictures"]) EXPECT_TRUE(names().contains(picture));
+  }
+}
+
+TEST_F(ReportFiles, HoldInJsonWhatWasMeasured) {
+  const RunResult run = tests::made_faulty_run(20, 15, 2);
+  const RunComparison comparison = compare_run(run);
+  const nlohmann::json json = read_json(write_report(run, comparison, folder_).json);
+  EXPECT_EQ(json["models"]["pipeline"]["cycles"], 20 * 15 * 2 + 11);
+  EXPECT_TRUE(json["models"]["golden"]["cycles"].is_null());
+  EXPECT_EQ(json["models"]["rtl"]["counters"]["stall_cycles"], 5);
+  EXPECT_EQ(json["models"]["golden"]["seconds"], 0.0412);
+  EXPECT_FALSE(json["agree"]);
+  ASSERT_EQ(json["differences"].size(), 6U);
+  const nlohmann::json& equal = json["differences"][3];
+  EXPECT_EQ(equal["a"], "reference");
+  EXPECT_EQ(equal["b"], "pipeline");
+  EXPECT_EQ(equal["differing"], 0);
+  EXPECT_TRUE(equal["psnr_db"].is_null());
+  const nlohmann::json& wrong = json["differences"][4];
+  EXPECT_EQ(wrong["differing"], 3);
+  EXPECT_EQ(wrong["max"], 3);
+  EXPECT_EQ(wrong["samples"], 20 * 15 * 3 * 2);
+  EXPECT_EQ(wrong["psnr_db"], comparison.pairs[4].difference.psnr_db);
+  EXPECT_EQ(json["worst"][0]["error"], 3);
+  EXPECT_EQ(json["worst"][0]["frame"], 1);
+  EXPECT_EQ(json["worst"][0]["pair"], (nlohmann::json{"reference", "rtl"}));
+  EXPECT_EQ(json["worst"][0]["models"]["rtl"]["values"]["acc"], "1");
+  EXPECT_EQ(json["presets"][1]["preset"], "base");
+  EXPECT_EQ(json["notes"], run.notes);
+}
+
+TEST_F(ReportFiles, ReplaceAnEarlierReportAndLeaveNoTemporaryFile) {
+  RunResult run = made_run(6, 6, 1);
+  write_report(run, compare_run(run), folder_);
+  run.scene_file = "second.toml";
+  const ReportPaths paths = write_report(run, compare_run(run), folder_);
+  EXPECT_EQ(read_json(paths.json)["scene"]["file"], "second.toml");
+  EXPECT_EQ(names().size(), 6U);
+}
+
+TEST_F(ReportFiles, AppearTogetherOrNotAtAll) {
+  {
+    StagedFiles files(folder_);
+    files.write("a.txt", std::string_view("half"));
+    EXPECT_FALSE(fs::exists(folder_ / "a.txt"));
+  }
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(ReportFiles, AreRefusedWhereNoDirectoryCanBe) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "file") << "in the way";
+  const RunResult run = made_run(3, 3, 1);
+  EXPECT_THROW(write_report(run, compare_run(run), folder_ / "file"), golden::InputError);
+  EXPECT_THROW(write_report(run, compare_run(run), folder_ / "file" / "below"), golden::InputError);
+}
+
+TEST_F(ReportFiles, SurviveNamesThatAreNotUtf8) {
+  RunResult run = made_run(3, 3, 1);
+  run.scene_file = "caf\xE9.toml";
+  const ReportPaths paths = write_report(run, compare_run(run), folder_);
+  EXPECT_EQ(read_json(paths.json)["scene"]["file"], "caf\xEF\xBF\xBD.toml");
+}
+
+TEST(PictureName, HasAsManyDigitsAsTheLastFrameNeeds) {
+  EXPECT_EQ(picture_name("rtl", 0, 1), "rtl.png");
+  EXPECT_EQ(picture_name("rtl", 0, 2), "rtl_00.png");
+  EXPECT_EQ(picture_name("rtl", 99, 100), "rtl_99.png");
+  EXPECT_EQ(picture_name("rtl", 7, 101), "rtl_007.png");
+}
+
+}  // namespace
+}  // namespace ptm::testbench
