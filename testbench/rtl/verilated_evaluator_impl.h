@@ -68,7 +68,8 @@ class VerilatedEvaluator final : public RtlEvaluator {
     drive(in.coef, in.bias, in.shift, in.lu, in.lv);
     drive_rgb(in.rgb);
     dut_.eval();  // outputs may depend on inputs here
-    RtlSeen seen{dut_.ready_o != 0, dut_.valid_o != 0, pixel(), dut_.sideband_o};
+    RtlSeen seen{dut_.ready_o != 0, dut_.valid_o != 0, {}, dut_.sideband_o};
+    read(seen.pixel);
     clock_edge();
     return seen;
   }
@@ -109,15 +110,14 @@ class VerilatedEvaluator final : public RtlEvaluator {
     for (unsigned c = 0; c < 3; ++c) dut_.rgb_i[c] = static_cast<SData>(rgb[c]);
   }
 
-  [[nodiscard]] RtlPixel pixel() const {
-    RtlPixel pixel;
+  /// Field by field into place: a copy in wider pieces would wait for these stores.
+  void read(RtlPixel& pixel) const {
     for (unsigned c = 0; c < 3; ++c) {
       pixel.lum[c] = dut_.lum_o[c];
       pixel.out[c] = dut_.rgb_o[c];
     }
     pixel.lum_saturated = dut_.lum_saturated_o != 0;
     pixel.color_saturated = dut_.color_saturated_o != 0;
-    return pixel;
   }
 
   [[noreturn]] void fail(const char* what, std::uint64_t cycle, const char* item,
@@ -145,6 +145,7 @@ class VerilatedEvaluator final : public RtlEvaluator {
     check(timing);
     reset();
     RtlCounters counters;
+    RtlPixel pixel;
     const std::uint64_t beats = pixels * Beats;
     std::uint64_t offer_at = pipeline::gap(timing, 0), first = 0, taken_at = 0, cycle = 0;
     unsigned idle = 0;  // cycles in a row that only a hanging unit explains
@@ -166,7 +167,8 @@ class VerilatedEvaluator final : public RtlEvaluator {
         if (dut_.sideband_o != static_cast<IData>(counters.pixels)) {
           fail("another pixel's id", cycle, "pixel", counters.pixels);
         }
-        sink(counters.pixels++, pixel(), cycle);
+        read(pixel);
+        sink(counters.pixels++, pixel, cycle);
         taken_at = cycle;
       }
       counters.output_blocked += dut_.valid_o && blocked;
