@@ -28,6 +28,16 @@ inline std::string quoted(const std::filesystem::path& path) {
   return text;
 }
 
+/// Runs the program as a user does. What it prints goes to files whose names begin with `log`.
+inline Outcome run_program(const std::filesystem::path& log, const std::string& arguments) {
+  const std::filesystem::path out = log.string() + ".out", err = log.string() + ".err";
+  std::string command = quoted(PTM_PROGRAM);
+  command.append(" ").append(arguments);
+  command.append(" >").append(quoted(out)).append(" 2>").append(quoted(err));
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+}
+
 /// The program as a user runs it, in a folder of the test's own that is gone afterwards.
 class Program : public testing::Test {
  protected:
@@ -61,12 +71,7 @@ class Program : public testing::Test {
   }
 
   [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const auto out = folder_ / "out", err = folder_ / "err";
-    std::string command = quoted(PTM_PROGRAM);
-    command.append(" ").append(arguments);
-    command.append(" >").append(quoted(out)).append(" 2>").append(quoted(err));
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+    return run_program(folder_ / "log", arguments);
   }
 
   /// The command ends with code 3, says what is wrong and where, and leaves nothing behind.

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -9,30 +8,15 @@
 #include <string>
 
 #include "tests/files/crafted_ptm.h"
+#include "tests/run_program.h"
 
 // `ptmsim info` and `ptmsim convert` as a user meets them.
 namespace ptm::tests {
 namespace {
 
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 class FileCommands : public testing::Test {
  protected:
-  Outcome run(const std::string& arguments) {
-    const std::string command = std::string("'") + PTM_PROGRAM + "' " + arguments + " >'" +
-                                (log_ / "out").string() + "' 2>'" + (log_ / "err").string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(log_ / "out"),
-            text_of(log_ / "err")};
-  }
+  Outcome run(const std::string& arguments) { return run_program(log_ / "log", arguments); }
   std::string put(const std::string& name, const Bytes& bytes) {
     std::ofstream file(folder_() / name, std::ios::binary);
     file.write(reinterpret_cast<const char*>(bytes.data()),
