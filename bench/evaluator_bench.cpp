@@ -5,6 +5,7 @@
 // pixels of the reference, a second of CPU time.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <vector>
 
 #include "model/reference/constant_config.h"
@@ -58,22 +59,59 @@ void reference_alone(benchmark::State& state, const reference::Preset& preset) {
   count_cycles(state, pixels);
 }
 
+/// Pixels of the RTL, compared with the reference's a batch at a time: each by itself would wait
+/// for the evaluation before it, and the processor overlaps nothing.
+template <class Config>
+class Comparison {
+ public:
+  Comparison(const Config& config, const std::vector<reference::LrgbOperands<>>& pool)
+      : config_(config), pool_(pool) {}
+
+  void take(std::uint64_t n, const RtlPixel& pixel) {
+    batch_[n % kBatch] = pixel;
+    if (n % kBatch == kBatch - 1) compare(n + 1 - kBatch);
+  }
+  [[nodiscard]] std::uint64_t compared() const { return compared_; }
+  [[nodiscard]] std::uint64_t differing() const { return differing_; }
+
+ private:
+  static constexpr std::uint64_t kBatch = 64;
+  static_assert(kPixels % kBatch == 0, "the last batch is full");
+
+  void compare(std::uint64_t first) {
+    for (std::uint64_t i = 0; i < kBatch; ++i) {
+      const auto& in = pool_[(first + i) % kPool];
+      differing_ += batch_[i] != to_pixel(reference::evaluate_lrgb(config_, in));
+    }
+    compared_ += kBatch;
+  }
+
+  const Config& config_;
+  const std::vector<reference::LrgbOperands<>>& pool_;
+  std::array<RtlPixel, kBatch> batch_;
+  std::uint64_t compared_ = 0, differing_ = 0;
+};
+
 void compared(benchmark::State& state, const reference::Preset& preset) {
   const auto pool = make_pool(preset.config);
   const auto rtl = make_rtl_evaluator(preset.name);
-  std::uint64_t cycles = 0, differing = 0;
-  for (auto _ : state) {
-    reference::with_constant_config(preset.config, [&](const auto& config) {
-      cycles += rtl->stream_lrgb(
-                       kPixels, {}, [&](std::uint64_t n) -> const auto& { return pool[n % kPool]; },
-                       [&](std::uint64_t n, const RtlPixel& pixel, std::uint64_t) {
-                         const auto& in = pool[n % kPool];
-                         differing += pixel != to_pixel(reference::evaluate_lrgb(config, in));
-                       })
-                    .cycles;
-    });
-  }
+  std::uint64_t cycles = 0, pixels = 0, compared = 0, differing = 0;
+  reference::with_constant_config(preset.config, [&](const auto& config) {
+    Comparison comparison(config, pool);
+    for (auto _ : state) {
+      const RtlCounters counters = rtl->stream_lrgb(
+          kPixels, {}, [&](std::uint64_t n) -> const auto& { return pool[n % kPool]; },
+          [&](std::uint64_t n, const RtlPixel& pixel, std::uint64_t) {
+            comparison.take(n, pixel);
+          });
+      cycles += counters.cycles;
+      pixels += counters.pixels;
+    }
+    compared = comparison.compared();
+    differing = comparison.differing();
+  });
   if (differing != 0) state.SkipWithError("RTL and reference differ");
+  if (compared != pixels) state.SkipWithError("not every pixel was compared");
   count_cycles(state, cycles);
 }
 
