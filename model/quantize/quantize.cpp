@@ -27,13 +27,7 @@ class Rounder {
         nearest_plane_(method != Method::plain) {
     reference::validate(config);
     check_size(real.width, real.height, real.polynomials, real.coef.size());
-    const auto odd = std::find_if_not(real.coef.begin(), real.coef.end(),
-                                      [](double a) { return std::isfinite(a); });
-    if (odd != real.coef.end()) {
-      const auto k = static_cast<std::size_t>(odd - real.coef.begin());
-      throw std::invalid_argument("coefficient " + std::to_string(k % kSix) + " of polynomial " +
-                                  std::to_string(k / kSix) + " is not finite");
-    }
+    check_finite(real.coef);
     stored_ = {.width = real.width, .height = real.height, .polynomials = real.polynomials};
     stored_.origin = nearest_plane_ ? Origin::nearest_plane : Origin::plain;
     stored_.coef.resize(real.coef.size());
@@ -51,7 +45,7 @@ class Rounder {
       round(i, targets);
     }
     const Gram g = factor_.transpose() * factor_;
-    stored_.rms_error = compare(real_, stored_, g).rms;
+    record_loss(real_, g, stored_);
     return std::move(stored_);
   }
 
@@ -147,7 +141,9 @@ QuantizationError compare(const RealMap& real, const StoredMap& stored, const Gr
       result.coefficient_max[i] = std::max(result.coefficient_max[i], std::abs(d));
     }
     moments.noalias() += e * e.transpose();
+    result.worst = std::max(result.worst, e.dot(gram * e));
   }
+  result.worst = std::sqrt(std::max(0.0, result.worst));
   moments /= static_cast<double>(real.coef.size() / kSix);
   for (std::size_t i = 0; i < kSix; ++i) {
     const auto d = static_cast<Eigen::Index>(i);
@@ -158,6 +154,12 @@ QuantizationError compare(const RealMap& real, const StoredMap& stored, const Gr
   result.psnr_db =
       result.rms > 0 ? 20 * std::log10(255 / result.rms) : std::numeric_limits<double>::infinity();
   return result;
+}
+
+void record_loss(const RealMap& real, const Gram& gram, StoredMap& stored) {
+  const QuantizationError lost = compare(real, stored, gram);
+  stored.rms_error = lost.rms;
+  stored.worst_error = lost.worst;
 }
 
 }  // namespace ptm::quantize
