@@ -37,17 +37,19 @@ Rule gauss_legendre() {
   return rule;
 }
 
-/// Integrals of f(lu, lv, root) over the disc. With w = sqrt(1 - r^2), r dr = -w dw: the root is a
-/// polynomial in w, and the rule exact; angles are equally spaced, exact for low harmonics.
+/// Integrals of f(lu, lv, root) over the disc, or by solid angle over the hemisphere. With w =
+/// sqrt(1 - r^2), r dr = -w dw: the root is a polynomial in w, and the rule exact; angles are
+/// equally spaced, exact for low harmonics.
 template <class Integrand>
-void integrate_disc(Integrand add) {
+void integrate_disc(bool solid_angle, Integrand add) {
   constexpr int angles = 16;
   const Rule rule = gauss_legendre();
   for (std::size_t i = 0; i < kNodes; ++i) {
     const double w = (rule.node[i] + 1) / 2, r = std::sqrt(1 - w * w);
     for (int k = 0; k < angles; ++k) {
       const double angle = 2 * std::numbers::pi * k / angles;
-      const double weight = rule.weight[i] / 2 * w * 2 * std::numbers::pi / angles;
+      const double area = rule.weight[i] / 2 * 2 * std::numbers::pi / angles;
+      const double weight = solid_angle ? area : area * w;
       add(r * std::cos(angle), r * std::sin(angle), w, weight);
     }
   }
@@ -76,8 +78,9 @@ Eigen::Matrix<double, 6, 3> normal_fit(BumpDomain domain) {
   };
   if (domain == BumpDomain::square) integrate_square(add_moments);
   // The root lives on the disc alone, whatever the domain.
-  integrate_disc([&](double u, double v, double root, double weight) {
-    if (domain == BumpDomain::disc) add_moments(u, v, weight);
+  const bool solid_angle = domain == BumpDomain::hemisphere;
+  integrate_disc(solid_angle, [&](double u, double v, double root, double weight) {
+    if (domain != BumpDomain::square) add_moments(u, v, weight);
     products.col(2) += weight * root * light_basis(u, v);
   });
   return moments.llt().solve(products);

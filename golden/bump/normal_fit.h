@@ -7,8 +7,9 @@ namespace ptm::golden {
 
 /// Over which (lu, lv) the polynomial of a normal is fitted.
 enum class BumpDomain : std::uint8_t {
-  disc,   ///< lu^2 + lv^2 <= 1, where there are lights
-  square  ///< [-1, 1]^2 as the paper has it, the root taken as 0 in the corners
+  hemisphere,  ///< directions of light, each solid angle the same: dlu dlv / sqrt(1 - lu^2 - lv^2)
+  disc,        ///< lu^2 + lv^2 <= 1, dlu dlv
+  square       ///< [-1, 1]^2 as the paper has it, the root taken as 0 in the corners
 };
 
 /// The matrix that gives the polynomial nearest to a normal's dot product with the light.
@@ -22,9 +23,12 @@ enum class BumpDomain : std::uint8_t {
 ///           a root that is not real in the corners of the square: there it counts as 0. Solved by
 ///           the normal equations of the basis, which is what projecting on an orthonormal one
 ///           does.
-/// Result    Nu and Nv become a3 and a4 exactly; the root becomes p + q (lu^2 + lv^2) with
-///           disc p = 16/15, q = -4/5; square p = pi/3, q = -pi/4 (both checked by a test).
-/// Error     at the rim, where the root is 0: disc 4/15, square 0.262; see docs/design/bump.md.
+/// Result    Nu and Nv become a3 and a4 exactly; the root becomes p + q (lu^2 + lv^2), checked by a
+///           test:          p        q        at the rim   RMS over the hemisphere
+///             hemisphere   9/8      -15/16   0.188        0.072
+///             disc         16/15    -4/5     0.267        0.089
+///             square       pi/3     -pi/4    0.262        0.088
+///           Which to take: docs/design/bump.md.
 [[nodiscard]] Eigen::Matrix<double, 6, 3> normal_fit(BumpDomain domain);
 
 }  // namespace ptm::golden

@@ -1,8 +1,10 @@
 // ptmsim bump: a height field or a normal map becomes a map of diffuse light.
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/exit_code.h"
 #include "testbench/run/hardware_map.h"
 
 namespace ptm::testbench {
@@ -20,18 +23,24 @@ using Json = nlohmann::ordered_json;
 struct BumpOptions {
   std::string input, out;
   bool height = false, normals = false, json = false;
-  double strength = NAN;
-  std::string domain = "disc", preset = "base";
+  std::optional<double> strength;
+  std::string domain = "hemisphere", preset = "base";
 };
 
+const std::map<std::string, golden::BumpDomain> domains{
+    {"hemisphere", golden::BumpDomain::hemisphere},
+    {"disc", golden::BumpDomain::disc},
+    {"square", golden::BumpDomain::square}};
+
 golden::NormalField read_field(const BumpOptions& options) {
+  if (options.strength && !std::isfinite(*options.strength)) {
+    throw ExitError(ExitCode::usage, "--strength: expected a finite number");
+  }
   const golden::ImageReal picture = golden::read_picture(options.input);
   if (options.normals) {
-    const double strength = std::isnan(options.strength) ? 1 : options.strength;
-    return golden::normals_from_colors(picture, strength, options.input);
+    return golden::normals_from_colors(picture, options.strength.value_or(1), options.input);
   }
-  const double strength = std::isnan(options.strength) ? 16 : options.strength;
-  return golden::normals_from_heights(picture, strength);
+  return golden::normals_from_heights(picture, options.strength.value_or(16));
 }
 
 Json describe(const golden::BumpError& error) {
@@ -40,9 +49,8 @@ Json describe(const golden::BumpError& error) {
 
 Json bump(const BumpOptions& options) {
   const golden::NormalField field = read_field(options);
-  const auto domain =
-      options.domain == "disc" ? golden::BumpDomain::disc : golden::BumpDomain::square;
-  const std::vector<double> coef = golden::bump_coefficients(field, golden::NormalTable(domain));
+  const std::vector<double> coef =
+      golden::bump_coefficients(field, golden::NormalTable(domains.at(options.domain)));
   const quantize::StoredMap stored = quantize::quantize(
       {.width = field.width, .height = field.height, .polynomials = 1, .coef = coef},
       reference::find_preset(options.preset).config, quantize::Method::nearest_plane,
@@ -91,7 +99,7 @@ void add_bump_command(CLI::App& app) {
       ->check(CLI::Range(-1e6, 1e6));
   command->add_option("--domain", options->domain, "what the polynomials are fitted over")
       ->capture_default_str()
-      ->check(CLI::IsMember({"disc", "square"}));
+      ->check(CLI::IsMember({"hemisphere", "disc", "square"}));
   std::vector<std::string> presets;
   for (const reference::Preset& preset : reference::kPresets) presets.emplace_back(preset.name);
   command->add_option("--preset", options->preset, "hardware that is to hold the map")

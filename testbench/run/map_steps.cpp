@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "model/quantize/gain.h"
 #include "model/quantize/mip.h"
 #include "testbench/run/hardware_map.h"
 
@@ -75,12 +76,14 @@ Held hold(const PtmMap& map, const EvalConfig& config,
   return held;
 }
 
-/// How much a texel's luminance shows: |colour|^2 / 3 / 255^2.
-std::vector<double> color_weights(const std::vector<std::uint8_t>& color) {
+/// How much a texel's luminance shows once its colour is multiplied by its factor:
+/// |factor * colour|^2 / 3 / 255^2. Empty if nothing shows.
+std::vector<double> color_weights(const std::vector<std::uint8_t>& color,
+                                  const std::vector<double>& factors) {
   std::vector<double> weights(color.size() / 3);
   for (std::size_t t = 0; t < weights.size(); ++t) {
     for (std::size_t c = 0; c < 3; ++c) {
-      weights[t] += std::pow(color[t * 3 + c] / 255.0, 2) / 3;
+      weights[t] += std::pow(factors[t] * color[t * 3 + c] / 255, 2) / 3;
     }
   }
   const bool black = std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
@@ -105,14 +108,24 @@ SteppedMap palette_map(const PtmMap& map, const EvalConfig& config,
                        const quantize::PaletteOptions& options) {
   const Held held = hold(map, config);
   const quantize::Gram gram = quantize::hemisphere_gram();
-  const std::vector<double> weights = color_weights(held.color);
-  const quantize::Palette palette = quantize::make_palette(held.view(), weights, options, gram);
+  std::vector<double> coef = held.real.coef, weights;
+  if (held.kind == MapKind::lrgb) {
+    weights = color_weights(held.color, quantize::equalize_strength(coef, held.color, gram));
+  }
+  const quantize::RealMap real{map.width, map.height, held.stored.polynomials, coef};
+  const quantize::Palette palette = quantize::make_palette(real, weights, options, gram);
+  const quantize::StoredMap table =
+      quantize::quantize(palette.view(), config, quantize::Method::nearest_plane, gram);
   const quantize::StoredMap stored =
-      quantize::store_palette(held.view(), palette, held.grid(), config, gram);
+      quantize::store_palette(real, palette, {table.bias, table.shift}, config, gram);
+  std::vector<std::uint8_t> color;
+  if (held.kind == MapKind::lrgb) {
+    color = quantize::refit_colors(held.real.coef, quantize::dequantize(stored), held.color, gram);
+  }
   std::ostringstream how;
   how << "a palette of " << palette.entries() << " entries after " << palette.rounds
       << " rounds of k-means, seed " << options.seed << "; " << describe(stored);
-  return {to_ptm(stored, held.kind, held.color), how.str()};
+  return {to_ptm(stored, held.kind, std::move(color)), how.str()};
 }
 
 std::vector<PtmMap> mip_chain(const PtmMap& map, const EvalConfig& config) {

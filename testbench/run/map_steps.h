@@ -26,8 +26,9 @@ struct SteppedMap {
 [[nodiscard]] SteppedMap to_rgb_map(const golden::PtmMap& map, const reference::EvalConfig& config,
                                     quantize::Dither dither);
 
-/// The map with at most `entries` different polynomials (lrgb; colours stay) or triples of them
-/// (rgb), on the grid that holds the map itself.
+/// The map with at most `entries` different polynomials (lrgb) or triples of them (rgb). An lrgb
+/// map's entries tell how a texel answers to light, its colour how strongly
+/// (model/quantize/gain.h).
 [[nodiscard]] SteppedMap palette_map(const golden::PtmMap& map, const reference::EvalConfig& config,
                                      const quantize::PaletteOptions& options);
 
