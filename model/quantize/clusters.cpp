@@ -93,7 +93,8 @@ void append(Points& centers, std::span<const float> point) {
 /// k-means++: each further center is drawn with a chance that grows with the squared distance to
 /// the centers there are.
 Points first_centers(const Points& points, std::span<const double> weights, std::size_t most,
-                     std::uint64_t seed) {
+                     std::uint64_t seed, const std::function<void()>& step) {
+  std::size_t steps = 0;
   Points centers{.dimensions = points.dimensions};
   std::vector<double> shares(weights.begin(), weights.end());
   std::vector<float> squared(points.count(), INFINITY);
@@ -101,6 +102,7 @@ Points first_centers(const Points& points, std::span<const double> weights, std:
     const std::size_t next = draw_by_share(shares, draw(seed, centers.count()));
     if (next == points.count()) break;
     append(centers, points.at(next));
+    for (; step && steps < centers.count() * kFirstSteps / most; ++steps) step();
     for (std::size_t n = 0; n < points.count(); ++n) {
       squared[n] = std::min(squared[n], squared_distance(points.at(n), points.at(next)));
       shares[n] = weights[n] * static_cast<double>(squared[n]);
@@ -182,9 +184,9 @@ std::vector<std::uint16_t> nearest(const Points& points, const Points& centers,
 }
 
 Clusters cluster(const Points& points, std::span<const double> weights, std::size_t most,
-                 int rounds, std::uint64_t seed) {
+                 int rounds, std::uint64_t seed, const std::function<void()>& step) {
   Clusters clusters;
-  clusters.centers = first_centers(points, weights, most, seed);
+  clusters.centers = first_centers(points, weights, most, seed, step);
   clusters.means.assign(clusters.centers.values.begin(), clusters.centers.values.end());
   std::vector<std::uint16_t> before;
   for (clusters.rounds = 0; clusters.rounds < rounds; ++clusters.rounds) {
@@ -197,6 +199,7 @@ Clusters cluster(const Points& points, std::span<const double> weights, std::siz
     std::transform(clusters.means.begin(), clusters.means.end(), clusters.centers.values.begin(),
                    [](double x) { return static_cast<float>(x); });
     before = std::move(index);
+    if (step) step();
   }
   return clusters;
 }

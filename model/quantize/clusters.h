@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,9 +31,12 @@ struct Clusters {
 
 /// At most `most` weighted clusters: k-means++, then rounds until no point changes its cluster or
 /// `rounds` are over. Points and weights of one number, at least one weight positive. A point of
-/// weight 0 is never made an entry of its own.
+/// weight 0 is never made an entry of its own. `step`, if any, is called kFirstSteps times while
+/// the first centers are drawn and once a round.
 [[nodiscard]] Clusters cluster(const Points& points, std::span<const double> weights,
-                               std::size_t most, int rounds, std::uint64_t seed);
+                               std::size_t most, int rounds, std::uint64_t seed,
+                               const std::function<void()>& step = {});
+inline constexpr int kFirstSteps = 16;
 
 /// For each point the nearest center, the first of equals. On all cores; the result does not
 /// depend on how many. `squared`, where wanted, receives the squared distances.

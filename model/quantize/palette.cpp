@@ -74,6 +74,8 @@ Points pick(const Points& points, const std::vector<std::size_t>& chosen) {
 
 }  // namespace
 
+int palette_steps(const PaletteOptions& options) { return kFirstSteps + options.rounds; }
+
 int Palette::entries() const { return static_cast<int>(coef.size() / kSix) / polynomials; }
 
 RealMap Palette::view() const {
@@ -95,7 +97,7 @@ Palette make_palette(const RealMap& map, std::span<const double> weights,
   }
   const Clusters clusters =
       cluster(pick(points, chosen), sample_weights, static_cast<std::size_t>(options.entries),
-              options.rounds, options.seed);
+              options.rounds, options.seed, options.step);
   Palette palette{.polynomials = map.polynomials,
                   .coef = {},
                   .index = nearest(points, clusters.centers),

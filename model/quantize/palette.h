@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,11 @@ struct PaletteOptions {
   std::uint64_t seed = 1;  ///< the same seed, map and options give the same palette
   int rounds = 16;         ///< of k-means at most; it stops when no texel moves
   std::size_t sample = 65536;  ///< texels that k-means looks at, spread by a hash; 0: all of them
+  std::function<void()> step = {};  ///< called now and then, palette_steps() times at most
 };
+
+/// How often `step` is called at most: for a progress bar.
+[[nodiscard]] int palette_steps(const PaletteOptions& options);
 
 /// A table of polynomials and which of them each texel has.
 struct Palette {

@@ -46,7 +46,7 @@ LitDifference compare_lit(const golden::PtmMap& a, const golden::PtmMap& b,
       squares += off * off;
       result.max = std::max(result.max, off);
       visible += off > kVisible ? 1U : 0U;
-      ++counts[static_cast<std::size_t>(std::ceil(off * 8))];
+      ++counts[off < 255 ? static_cast<std::size_t>(std::ceil(off * 8)) : kBins - 1];
     }
     samples += left.samples.size();
     const double ssim = structural_similarity(left, right);

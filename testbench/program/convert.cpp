@@ -17,6 +17,7 @@
 #include "testbench/compare/lit_difference.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/progress.h"
 #include "testbench/run/map_steps.h"
 
 namespace ptm::testbench {
@@ -98,7 +99,10 @@ golden::PtmMap apply_steps(golden::PtmMap map, const ConvertOptions& options, Js
     take("hold", hold_map(map, config, dither));
   }
   if (options.palette > 0) {
-    take("palette", palette_map(map, config, {.entries = options.palette, .seed = options.seed}));
+    quantize::PaletteOptions palette{.entries = options.palette, .seed = options.seed};
+    Progress progress("palette", static_cast<std::size_t>(quantize::palette_steps(palette)));
+    palette.step = [&progress] { progress.step(); };
+    take("palette", palette_map(map, config, palette));
   }
   return map;
 }

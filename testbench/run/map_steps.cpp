@@ -108,7 +108,10 @@ SteppedMap palette_map(const PtmMap& map, const EvalConfig& config,
                        const quantize::PaletteOptions& options) {
   const Held held = hold(map, config);
   const quantize::Gram gram = quantize::hemisphere_gram();
-  std::vector<double> coef = held.real.coef, weights;
+  // Beyond 1e9 no shift holds a coefficient anyway, and squares stay finite.
+  std::vector<double> real_coef = held.real.coef, weights;
+  for (double& a : real_coef) a = std::clamp(a, -1e9, 1e9);
+  std::vector<double> coef = real_coef;
   if (held.kind == MapKind::lrgb) {
     weights = color_weights(held.color, quantize::equalize_strength(coef, held.color, gram));
   }
@@ -120,7 +123,7 @@ SteppedMap palette_map(const PtmMap& map, const EvalConfig& config,
       quantize::store_palette(real, palette, {table.bias, table.shift}, config, gram);
   std::vector<std::uint8_t> color;
   if (held.kind == MapKind::lrgb) {
-    color = quantize::refit_colors(held.real.coef, quantize::dequantize(stored), held.color, gram);
+    color = quantize::refit_colors(real_coef, quantize::dequantize(stored), held.color, gram);
   }
   std::ostringstream how;
   how << "a palette of " << palette.entries() << " entries after " << palette.rounds

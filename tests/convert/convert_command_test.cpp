@@ -92,6 +92,19 @@ TEST_F(ConvertCommand, RefusesOptionsThatDoNotGoTogetherAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out.ptm"));
 }
 
+TEST_F(ConvertCommand, EndsWithAMapWhateverScalesAFileHas) {
+  for (const MapKind kind : {MapKind::lrgb, MapKind::rgb}) {
+    golden::PtmMap map = smooth_map(kind, 12, 9);
+    map.scale = {1e300, -1e300, 1e-300, 1e308, 5, 1e-9};
+    for (const char* steps : {"--palette 8", "--kind rgb", "--mip",
+                              "--preset paper8 --dither "
+                              "diffused"}) {
+      const Outcome outcome = convert(steps, map);
+      EXPECT_EQ(outcome.code, 0) << steps << outcome.err;
+    }
+  }
+}
+
 TEST_F(ConvertCommand, InfoTellsWhichPresetTakesTheMapVerbatimAndWhyOthersDoNot) {
   golden::PtmMap map = smooth_map(MapKind::lrgb, 8, 8);
   map.coef[0] = 0;  // 150 below its bias, within nine bits and not within eight

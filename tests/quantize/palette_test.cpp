@@ -113,6 +113,14 @@ TEST(MakePalette, OfASampleServesAllTexels) {
   EXPECT_LT(distortion(real, some), 1.25 * distortion(real, all));
 }
 
+TEST(MakePalette, ReportsProgressNoMoreOftenThanItSays) {
+  const std::vector<double> real = synthetic_coefficients(32, 32, 3);
+  int steps = 0;
+  const PaletteOptions options{.entries = 40, .rounds = 3, .step = [&steps] { ++steps; }};
+  (void)make_palette(view(real, 32, 32), {}, options, hemisphere_gram());
+  EXPECT_EQ(steps, palette_steps(options));
+}
+
 TEST(MakePalette, RefusesBadInput) {
   const std::vector<double> real = synthetic_coefficients(4, 4, 1);
   const Gram g = hemisphere_gram();
