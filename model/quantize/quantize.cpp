@@ -128,9 +128,9 @@ QuantizationError compare(const RealMap& real, const StoredMap& stored, const Gr
   if (stored.coef.size() != real.coef.size()) {
     throw std::invalid_argument("maps of different sizes cannot be compared");
   }
-  Gram moments = Gram::Zero();  // sum of error * error^T
   QuantizationError result;
-  Six<double> scale{};
+  Six<double> scale{}, squares{};
+  double sum = 0;
   for (std::size_t i = 0; i < kSix; ++i) scale[i] = std::ldexp(1.0, -stored.shift[i]);
   for (std::size_t k = 0; k < real.coef.size(); k += kSix) {
     Eigen::Matrix<double, 6, 1> e;
@@ -138,19 +138,17 @@ QuantizationError compare(const RealMap& real, const StoredMap& stored, const Gr
       const double a = (int{stored.coef[k + i]} - stored.bias[i]) * scale[i];
       const double d = difference(a, real.coef[k + i]);
       e[static_cast<Eigen::Index>(i)] = d;
+      squares[i] += d * d;
       result.coefficient_max[i] = std::max(result.coefficient_max[i], std::abs(d));
     }
-    moments.noalias() += e * e.transpose();
-    result.worst = std::max(result.worst, e.dot(gram * e));
+    const double luminance = e.dot(gram * e);
+    sum += luminance;
+    result.worst = std::max(result.worst, luminance);
   }
+  const double count = static_cast<double>(real.coef.size() / kSix);
+  for (std::size_t i = 0; i < kSix; ++i) result.coefficient_rms[i] = std::sqrt(squares[i] / count);
   result.worst = std::sqrt(std::max(0.0, result.worst));
-  moments /= static_cast<double>(real.coef.size() / kSix);
-  for (std::size_t i = 0; i < kSix; ++i) {
-    const auto d = static_cast<Eigen::Index>(i);
-    result.coefficient_rms[i] = std::sqrt(moments(d, d));
-  }
-  // mean of e^T G e = trace(G * mean of e e^T)
-  result.rms = std::sqrt(std::max(0.0, gram.cwiseProduct(moments).sum()));
+  result.rms = std::sqrt(std::max(0.0, sum / count));
   result.psnr_db =
       result.rms > 0 ? 20 * std::log10(255 / result.rms) : std::numeric_limits<double>::infinity();
   return result;

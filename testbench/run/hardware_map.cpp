@@ -72,6 +72,8 @@ RealCoefficients real_polynomials(const PtmMap& map) {
   real.polynomials = map.kind == MapKind::lrgb ? 1 : 3;
   real.coef.reserve(map.texels() * real.polynomials * 6);
   for (std::size_t texel = 0; texel < map.texels(); ++texel) append_texel(map, texel, real.coef);
+  // A file's scale may take a coefficient past the largest double; no shift comes near either.
+  for (double& a : real.coef) a = std::clamp(a, -1e300, 1e300);
   return real;
 }
 
