@@ -185,8 +185,13 @@ std::vector<std::uint16_t> nearest(const Points& points, const Points& centers,
 
 Clusters cluster(const Points& points, std::span<const double> weights, std::size_t most,
                  int rounds, std::uint64_t seed, const std::function<void()>& step) {
+  return refine(points, weights, first_centers(points, weights, most, seed, step), rounds, step);
+}
+
+Clusters refine(const Points& points, std::span<const double> weights, Points centers, int rounds,
+                const std::function<void()>& step) {
   Clusters clusters;
-  clusters.centers = first_centers(points, weights, most, seed, step);
+  clusters.centers = std::move(centers);
   clusters.means.assign(clusters.centers.values.begin(), clusters.centers.values.end());
   std::vector<std::uint16_t> before;
   for (clusters.rounds = 0; clusters.rounds < rounds; ++clusters.rounds) {

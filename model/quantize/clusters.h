@@ -38,6 +38,11 @@ struct Clusters {
                                const std::function<void()>& step = {});
 inline constexpr int kFirstSteps = 16;
 
+/// The rounds alone, from given centers. A center that no point is nearest to moves to the point
+/// that is worst off, weight times squared distance, one point for each such center.
+[[nodiscard]] Clusters refine(const Points& points, std::span<const double> weights, Points centers,
+                              int rounds, const std::function<void()>& step = {});
+
 /// For each point the nearest center, the first of equals. On all cores; the result does not
 /// depend on how many. `squared`, where wanted, receives the squared distances.
 [[nodiscard]] std::vector<std::uint16_t> nearest(const Points& points, const Points& centers,

@@ -135,15 +135,20 @@ TEST(MakePalette, RefusesBadInput) {
   EXPECT_THROW((void)make_palette(map, std::vector<double>(16, 0.0), {}, g), std::invalid_argument);
 }
 
-TEST(Cluster, LeavesNoClusterEmpty) {
-  // Two equal points and three others: whatever the first centers, rounds leave four in use.
-  const Points points{.dimensions = 1, .values = {0, 0, 1, 5, 9}};
+TEST(Refine, MovesCentersThatNoPointIsNearestToToThePointsThatAreWorstOff) {
+  const Points points{.dimensions = 1, .values = {0, 1, 8, 20, 21}};
   const std::vector<double> weights{1, 1, 1, 1, 1};
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Clusters clusters = cluster(points, weights, 4, 20, seed);
-    const auto index = nearest(points, clusters.centers);
-    EXPECT_EQ(std::set<std::uint16_t>(index.begin(), index.end()).size(), 4U) << seed;
-  }
+  // Three equal centers: the first takes all points, the other two go to 21 and to 20 at first.
+  const Clusters clusters = refine(points, weights, {.dimensions = 1, .values = {5, 5, 5}}, 20);
+  EXPECT_EQ(clusters.refilled, 2);
+  const auto index = nearest(points, clusters.centers);
+  EXPECT_EQ(std::set<std::uint16_t>(index.begin(), index.end()).size(), 3U);
+  // As many points as centers need: the rest stay where they are.
+  const Points one{.dimensions = 1, .values = {4}};
+  const Clusters single =
+      refine(one, std::vector<double>{1}, {.dimensions = 1, .values = {4, 4}}, 5);
+  EXPECT_EQ(single.refilled, 0);
+  EXPECT_EQ(single.means, (std::vector<double>{4, 4}));
 }
 
 TEST(StorePalette, PutsEachTexelsEntryInItsPlaceOnOneGrid) {
