@@ -1,5 +1,7 @@
 #pragma once
+#include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -9,15 +11,15 @@
 
 namespace ptm::tests {
 
-/// What a run of the program left behind.
+/// How a command of the program ended.
 struct Outcome {
-  int code = -1;
+  int code = -1;  ///< exit code, -1 if a signal ended it
   std::string out, err;
 };
 
 inline std::string text_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 inline std::string quoted(const std::filesystem::path& path) {
@@ -26,7 +28,7 @@ inline std::string quoted(const std::filesystem::path& path) {
   return text;
 }
 
-/// Runs ptmsim as a user does. Its output goes to files whose names begin with `log`.
+/// Runs the program as a user does. What it prints goes to files whose names begin with `log`.
 inline Outcome run_program(const std::filesystem::path& log, const std::string& arguments) {
   const std::filesystem::path out = log.string() + ".out", err = log.string() + ".err";
   std::string command = quoted(PTM_PROGRAM);
@@ -35,5 +37,56 @@ inline Outcome run_program(const std::filesystem::path& log, const std::string& 
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
 }
+
+/// The program as a user runs it, in a folder of the test's own that is gone afterwards.
+class Program : public testing::Test {
+ protected:
+  Program() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(info->test_suite_name()) + "_" + info->name();
+    for (char& c : name) c = c == '/' ? '_' : c;
+    folder_ = std::filesystem::temp_directory_path() / (name + "_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_ / "files");
+  }
+  ~Program() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  /// A file of the test.
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const {
+    return folder_ / "files" / name;
+  }
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(file(name), std::ios::binary) << text;
+    return file(name);
+  }
+  [[nodiscard]] std::size_t count_files() const {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry :
+         std::filesystem::recursive_directory_iterator(folder_ / "files")) {
+      ++count;
+    }
+    return count;
+  }
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return run_program(folder_ / "log", arguments);
+  }
+
+  /// The command ends with code 3, says what is wrong and where, and leaves nothing behind.
+  void expect_refused(const std::string& arguments, const std::string& says) const {
+    const std::size_t before = count_files();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(": found "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(", expected "), std::string::npos) << outcome.err;
+    EXPECT_EQ(count_files(), before) << "something was left behind";
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
 
 }  // namespace ptm::tests
