@@ -1,6 +1,7 @@
 #include "golden/files/coded_payload.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "golden/files/plane_codec.h"
@@ -48,21 +49,33 @@ void check_coded_size(const PtmHeader& header, const std::string& file) {
   }
 }
 
-/// Appends the side information of one JPEG plane; `decoded` becomes what a reader will have.
-std::vector<std::uint8_t> settle_jpeg_plane(std::span<std::uint8_t> decoded,
-                                            std::span<const std::uint8_t> wanted,
-                                            std::span<const std::uint8_t> reference, bool inverted,
-                                            bool exact) {
+struct CodedPlane {
+  std::vector<std::uint8_t> stream, side;
+};
+
+/// A plane to build on, if any.
+struct Reference {
+  std::span<const std::uint8_t> plane;
+  bool inverted = false;
+};
+
+/// Side information of one lossy plane; `decoded` becomes what a reader will have. Bytes may be
+/// `tolerance` off.
+std::vector<std::uint8_t> settle_plane(std::span<std::uint8_t> decoded,
+                                       std::span<const std::uint8_t> wanted,
+                                       const Reference& reference, const PtmWriteOptions& options) {
+  const bool jpeg = options.coding == Coding::jpeg;
+  const int tolerance = !jpeg ? options.near : options.exact ? 0 : 255;
   std::vector<std::uint8_t> side;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     bool astray = false;
     int value = decoded[i];
-    if (!reference.empty()) {
-      value += predictor(reference[i], inverted) - 128;
-      astray = value < 0 || value > 255 || decoded[i] == 0;
+    if (!reference.plane.empty()) {
+      value += predictor(reference.plane[i], reference.inverted) - 128;
+      astray = value < 0 || value > 255 || (jpeg && decoded[i] == 0);
     }
     decoded[i] = static_cast<std::uint8_t>(value & 255);
-    if (astray || (exact && decoded[i] != wanted[i])) {
+    if (astray || std::abs(decoded[i] - wanted[i]) > tolerance) {
       append_side_record(side, i, wanted[i]);
       decoded[i] = wanted[i];
     }
@@ -70,27 +83,29 @@ std::vector<std::uint8_t> settle_jpeg_plane(std::span<std::uint8_t> decoded,
   return side;
 }
 
-struct CodedPlane {
-  std::vector<std::uint8_t> stream, side;
-};
+bool is_lossy(const PtmWriteOptions& options) {
+  return options.coding == Coding::jpeg || options.near > 0;
+}
 
 /// Codes one plane; `plane` becomes what a reader will have, so that later planes build on it.
-CodedPlane code_plane(Plane& plane, std::span<const std::uint8_t> reference, bool inverted,
-                      const PtmMap& map, const PtmWriteOptions& options) {
-  const bool jpeg = options.coding == Coding::jpeg;
+CodedPlane code_plane(Plane& plane, const Reference& reference, const PtmMap& map,
+                      const PtmWriteOptions& options) {
   const auto wanted = plane.bytes();
   Plane coded(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const int predicted = reference.empty() ? 128 : predictor(reference[i], inverted);
-    coded.bytes()[i] =
-        jpeg ? clamped_difference(wanted[i], predicted) : wrapped_difference(wanted[i], predicted);
+    const int predicted =
+        reference.plane.empty() ? 128 : predictor(reference.plane[i], reference.inverted);
+    coded.bytes()[i] = is_lossy(options) ? clamped_difference(wanted[i], predicted)
+                                         : wrapped_difference(wanted[i], predicted);
   }
-  if (!jpeg) return {encode_jpegls_plane(coded.bytes(), map.width, map.height), {}};
   CodedPlane out;
-  out.stream = encode_jpeg_plane(coded.bytes(), map.width, map.height, options.jpeg_quality);
+  const bool jpeg = options.coding == Coding::jpeg;
+  out.stream = jpeg ? encode_jpeg_plane(coded.bytes(), map.width, map.height, options.jpeg_quality)
+                    : encode_jpegls_plane(coded.bytes(), map.width, map.height, options.near);
+  if (!is_lossy(options)) return out;
   const std::string name = "the plane just written";
-  Plane decoded = decode_jpeg_plane({out.stream, name, "JPEG"}, map.width, map.height);
-  out.side = settle_jpeg_plane(decoded.bytes(), wanted, reference, inverted, options.exact);
+  Plane decoded = decode_plane(options.coding, {out.stream, name, "stream"}, map.width, map.height);
+  out.side = settle_plane(decoded.bytes(), wanted, reference, options);
   plane = std::move(decoded);
   return out;
 }
@@ -127,16 +142,16 @@ PtmMap read_coded_payload(PtmHeader& header, std::span<const std::uint8_t> bytes
 CodedPayload format_coded_payload(const PtmMap& map, const PtmWriteOptions& options) {
   std::vector<Plane> planes = split_planes(map);
   const bool jpeg = options.coding == Coding::jpeg;
-  PlanePlan plan =
-      plan_planes(planes, map.width, map.height, jpeg ? Differences::clamped : Differences::wrapped,
-                  !jpeg || options.inversion);
+  PlanePlan plan = plan_planes(planes, map.width, map.height,
+                               is_lossy(options) ? Differences::clamped : Differences::wrapped,
+                               !jpeg || options.inversion);
   std::vector<CodedPlane> coded(planes.size());
   for (const std::size_t p : sequence_of(plan.order)) {
-    std::span<const std::uint8_t> reference;
+    Reference reference{{}, plan.transforms[p] == 1};
     if (plan.references[p] >= 0) {
-      reference = std::as_const(planes[static_cast<std::size_t>(plan.references[p])]).bytes();
+      reference.plane = std::as_const(planes[static_cast<std::size_t>(plan.references[p])]).bytes();
     }
-    coded[p] = code_plane(planes[p], reference, plan.transforms[p] == 1, map, options);
+    coded[p] = code_plane(planes[p], reference, map, options);
   }
   CodedPayload out;
   out.info.quality = options.coding == Coding::jpeg ? options.jpeg_quality : 100;

@@ -20,9 +20,12 @@ struct CodedPayload {
   std::vector<std::uint8_t> bytes;
 };
 
-/// The inverse. JPEG-LS holds every byte. JPEG differences are clamped, not wrapped, and bytes come
-/// as side information where exact and the codec changed them; and always where a reader that does
-/// not wrap would go astray: a sum outside 0..255, or a coded byte of 0 in a predicted plane.
+/// The inverse. JPEG-LS holds every byte, or each within `near`; planes build on what a reader will
+/// have, so the loss of one does not add to another's. Differences of lossy planes are
+/// clamped, not wrapped. Bytes come as side information where JPEG changed them and `exact` is set,
+/// where JPEG-LS is farther off than `near` (a clamped difference), and always where a reader that
+/// does not wrap would go astray: a sum outside 0..255, or, in JPEG, a coded byte of 0 in a
+/// predicted plane.
 [[nodiscard]] CodedPayload format_coded_payload(const PtmMap& map, const PtmWriteOptions& options);
 
 }  // namespace ptm::golden

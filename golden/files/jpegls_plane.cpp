@@ -57,10 +57,11 @@ Plane decode_jpegls_plane(const PlaneStream& stream, int width, int height) {
 }
 
 std::vector<std::uint8_t> encode_jpegls_plane(std::span<const std::uint8_t> plane, int width,
-                                              int height) {
+                                              int height, int near) {
   Plane buffer(largest_stream(plane.size()));
   charls::jpegls_encoder encoder;
   encoder.frame_info({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 8, 1});
+  encoder.near_lossless(near);
   encoder.destination(buffer.bytes().data(), buffer.bytes().size());
   const std::size_t size = encoder.encode(plane.data(), plane.size());
   const auto stream = buffer.bytes().first(size);

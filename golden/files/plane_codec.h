@@ -30,12 +30,13 @@ struct PlaneStream {
 [[nodiscard]] Plane decode_jpeg_plane(const PlaneStream& stream, int width, int height);
 [[nodiscard]] Plane decode_jpegls_plane(const PlaneStream& stream, int width, int height);
 
-/// Encodes a plane: baseline JFIF with the accurate DCT, or JPEG-LS without loss.
+/// Encodes a plane: baseline JFIF with the accurate DCT, or JPEG-LS whose bytes come back within
+/// `near` (0: unchanged; at most 127).
 /// Throws std::runtime_error where the codec cannot (a JPEG side above 65500).
 [[nodiscard]] std::vector<std::uint8_t> encode_jpeg_plane(std::span<const std::uint8_t> plane,
                                                           int width, int height, int quality);
 [[nodiscard]] std::vector<std::uint8_t> encode_jpegls_plane(std::span<const std::uint8_t> plane,
-                                                            int width, int height);
+                                                            int width, int height, int near = 0);
 
 /// Both decoders' check of a stream's header against the file's, before any memory is taken.
 /// `least_bits` is what a stream of that size takes at least.

@@ -35,6 +35,9 @@ void check_map(const PtmMap& map, const PtmWriteOptions& options) {
   require(options.coding == Coding::raw ||
               (map.width <= 65500 && map.height <= 65500 && map.texels() <= largest_coded_plane),
           "a coded format with a side above 65500 or more than 268435456 texels");
+  require(options.near >= 0 && options.near <= 127, "a tolerated loss outside 0..127");
+  require(options.near == 0 || options.coding == Coding::jpegls,
+          "a tolerated loss goes with JPEG-LS only");
   require(options.jpeg_quality >= 1 && options.jpeg_quality <= 100, "a quality outside 1..100");
 }
 

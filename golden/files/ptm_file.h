@@ -46,6 +46,8 @@ struct PtmWriteOptions {
   /// JPEG only: a plane may build on the inverse of another (transform 1). HP's files do so, and
   /// relight refuses them. JPEG-LS, which no other program reads, always may.
   bool inversion = false;
+  /// JPEG-LS only: how far each byte of a plane may be from the one written, 0..127.
+  int near = 0;
 };
 
 /// Writes to a temporary name and renames. Returns what a user should know (notes, one a line).

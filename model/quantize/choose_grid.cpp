@@ -120,4 +120,30 @@ int best_bias(const Population& coefficient, int shift, const EvalConfig& config
   return typical_error > kWorthSaturating * typical.least() ? typical.best : all.best;
 }
 
+Grid range_grid(const RealMap& real, const EvalConfig& config) {
+  reference::validate(config);
+  check_size(real.width, real.height, real.polynomials, real.coef.size());
+  check_finite(real.coef);
+  Six<double> low, high;
+  low.fill(INFINITY);
+  high.fill(-INFINITY);
+  for (std::size_t k = 0; k < real.coef.size(); ++k) {
+    low[k % kSix] = std::min(low[k % kSix], real.coef[k]);
+    high[k % kSix] = std::max(high[k % kSix], real.coef[k]);
+  }
+  Grid grid;
+  for (std::size_t i = 0; i < kSix; ++i) {
+    int shift = kShiftMax;
+    for (const std::size_t member : shift_group(config, i)) {
+      shift = std::min(shift, widest_shift(low[member], high[member], config));
+    }
+    grid.shift[i] = std::max(shift, config.shift_min);
+    const double first = std::floor(std::ldexp(low[i], grid.shift[i]) + 0.5);
+    const double last = std::floor(std::ldexp(high[i], grid.shift[i]) + 0.5);
+    const double top = coef_top(config), middle = std::floor((top - first - last) / 2);
+    grid.bias[i] = static_cast<int>(std::clamp(middle, 0.0, top));
+  }
+  return grid;
+}
+
 }  // namespace ptm::quantize

@@ -43,4 +43,12 @@ class Population {
 [[nodiscard]] int best_bias(const Population& coefficient, int shift,
                             const reference::EvalConfig& config);
 
+/// The grid by range alone: for each coefficient (each group that shares a shift) the finest shift
+/// at which every value fits, and the bias that puts the values' range in the middle of the stored
+/// range. What a plain quantiser does, and what others are measured against.
+///
+/// Values too large for any shift get the coarsest one. Sizes as check_size() wants them, finite
+/// coefficients; std::invalid_argument otherwise.
+[[nodiscard]] Grid range_grid(const RealMap& real, const reference::EvalConfig& config);
+
 }  // namespace ptm::quantize

@@ -80,6 +80,15 @@ void check_size(int width, int height, int polynomials, std::size_t values) {
   }
 }
 
+void check_finite(std::span<const double> coef) {
+  const auto odd =
+      std::find_if_not(coef.begin(), coef.end(), [](double a) { return std::isfinite(a); });
+  if (odd == coef.end()) return;
+  const auto k = static_cast<std::size_t>(odd - coef.begin());
+  throw std::invalid_argument("coefficient " + std::to_string(k % kSix) + " of polynomial " +
+                              std::to_string(k / kSix) + " is not finite");
+}
+
 void check_grid(const Grid& grid, const EvalConfig& config) {
   for (std::size_t i = 0; i < kSix; ++i) {
     const bool bias_fits = grid.bias[i] >= 0 && grid.bias[i] <= coef_top(config);

@@ -37,6 +37,9 @@ struct Window {
 /// is width * height * polynomials * 6.
 void check_size(int width, int height, int polynomials, std::size_t values);
 
+/// Throws std::invalid_argument naming the first coefficient that is not finite.
+void check_finite(std::span<const double> coef);
+
 /// Throws std::invalid_argument if the configuration cannot hold the grid.
 void check_grid(const Grid& grid, const reference::EvalConfig& config);
 

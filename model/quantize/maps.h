@@ -30,6 +30,8 @@ enum class Origin : std::uint8_t {
 };
 [[nodiscard]] std::string_view to_string(Origin origin);
 
+enum class Dither : std::uint8_t { none, ordered, diffused };  ///< model/quantize/dither.h
+
 /// A map as the hardware holds it:  a_i = (coef_i - bias_i) * 2^-shift_i.
 ///
 /// 0 <= coef_i, bias_i < 2^coef_bits, and coef_i - bias_i fits delta_bits signed: D1 of the
@@ -47,6 +49,8 @@ struct StoredMap {
   /// Root mean square, over texels and lights of interest, of what storing changed in the
   /// luminance, in levels; 0 for a verbatim map.
   double rms_error = 0;
+  double worst_error = 0;  ///< the same of the polynomial that changed most
+  Dither dither = Dither::none;
 };
 
 /// The real coefficients that a stored map stands for, [height][width][polynomials][6].

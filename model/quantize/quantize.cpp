@@ -27,13 +27,7 @@ class Rounder {
         nearest_plane_(method != Method::plain) {
     reference::validate(config);
     check_size(real.width, real.height, real.polynomials, real.coef.size());
-    const auto odd = std::find_if_not(real.coef.begin(), real.coef.end(),
-                                      [](double a) { return std::isfinite(a); });
-    if (odd != real.coef.end()) {
-      const auto k = static_cast<std::size_t>(odd - real.coef.begin());
-      throw std::invalid_argument("coefficient " + std::to_string(k % kSix) + " of polynomial " +
-                                  std::to_string(k / kSix) + " is not finite");
-    }
+    check_finite(real.coef);
     stored_ = {.width = real.width, .height = real.height, .polynomials = real.polynomials};
     stored_.origin = nearest_plane_ ? Origin::nearest_plane : Origin::plain;
     stored_.coef.resize(real.coef.size());
@@ -51,7 +45,7 @@ class Rounder {
       round(i, targets);
     }
     const Gram g = factor_.transpose() * factor_;
-    stored_.rms_error = compare(real_, stored_, g).rms;
+    record_loss(real_, g, stored_);
     return std::move(stored_);
   }
 
@@ -134,9 +128,9 @@ QuantizationError compare(const RealMap& real, const StoredMap& stored, const Gr
   if (stored.coef.size() != real.coef.size()) {
     throw std::invalid_argument("maps of different sizes cannot be compared");
   }
-  Gram moments = Gram::Zero();  // sum of error * error^T
   QuantizationError result;
-  Six<double> scale{};
+  Six<double> scale{}, squares{};
+  double sum = 0;
   for (std::size_t i = 0; i < kSix; ++i) scale[i] = std::ldexp(1.0, -stored.shift[i]);
   for (std::size_t k = 0; k < real.coef.size(); k += kSix) {
     Eigen::Matrix<double, 6, 1> e;
@@ -144,20 +138,26 @@ QuantizationError compare(const RealMap& real, const StoredMap& stored, const Gr
       const double a = (int{stored.coef[k + i]} - stored.bias[i]) * scale[i];
       const double d = difference(a, real.coef[k + i]);
       e[static_cast<Eigen::Index>(i)] = d;
+      squares[i] += d * d;
       result.coefficient_max[i] = std::max(result.coefficient_max[i], std::abs(d));
     }
-    moments.noalias() += e * e.transpose();
+    const double luminance = e.dot(gram * e);
+    sum += luminance;
+    result.worst = std::max(result.worst, luminance);
   }
-  moments /= static_cast<double>(real.coef.size() / kSix);
-  for (std::size_t i = 0; i < kSix; ++i) {
-    const auto d = static_cast<Eigen::Index>(i);
-    result.coefficient_rms[i] = std::sqrt(moments(d, d));
-  }
-  // mean of e^T G e = trace(G * mean of e e^T)
-  result.rms = std::sqrt(std::max(0.0, gram.cwiseProduct(moments).sum()));
+  const double count = static_cast<double>(real.coef.size() / kSix);
+  for (std::size_t i = 0; i < kSix; ++i) result.coefficient_rms[i] = std::sqrt(squares[i] / count);
+  result.worst = std::sqrt(std::max(0.0, result.worst));
+  result.rms = std::sqrt(std::max(0.0, sum / count));
   result.psnr_db =
       result.rms > 0 ? 20 * std::log10(255 / result.rms) : std::numeric_limits<double>::infinity();
   return result;
+}
+
+void record_loss(const RealMap& real, const Gram& gram, StoredMap& stored) {
+  const QuantizationError lost = compare(real, stored, gram);
+  stored.rms_error = lost.rms;
+  stored.worst_error = lost.worst;
 }
 
 }  // namespace ptm::quantize

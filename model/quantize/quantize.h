@@ -40,10 +40,14 @@ enum class Method : std::uint8_t { plain, nearest_plane };
 struct QuantizationError {
   double rms = 0;
   double psnr_db = 0;  ///< 20 log10(255 / rms); infinite if nothing changed
+  double worst = 0;    ///< over lights, of the polynomial that changed most
   Six<double> coefficient_rms{};
   Six<double> coefficient_max{};
 };
 [[nodiscard]] QuantizationError compare(const RealMap& real, const StoredMap& stored,
                                         const Gram& gram);
+
+/// Writes into a stored map what it lost against the real coefficients: rms_error, worst_error.
+void record_loss(const RealMap& real, const Gram& gram, StoredMap& stored);
 
 }  // namespace ptm::quantize

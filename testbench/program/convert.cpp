@@ -1,4 +1,5 @@
-// ptmsim convert: one coding of a map into another. What was written is read back and compared.
+// ptmsim convert: one coding or kind of a map into another, palettes, mip levels. What was written
+// is read back and compared.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -13,8 +14,11 @@
 #include <vector>
 
 #include "golden/files/ptm_file.h"
+#include "testbench/compare/lit_difference.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/progress.h"
+#include "testbench/run/map_steps.h"
 
 namespace ptm::testbench {
 namespace {
@@ -25,7 +29,10 @@ struct ConvertOptions {
   std::string input, output;
   std::string format = "raw";
   std::string version = "1.2";
-  int quality = 95;
+  std::string kind = "keep", preset, dither = "none";
+  int quality = 95, near = 0, palette = 0;
+  std::uint64_t seed = 1;
+  bool mip = false;
   bool lossy = false;
   bool inversion = false;
   bool json = false;
@@ -34,10 +41,12 @@ struct ConvertOptions {
 const std::map<std::string, golden::Coding> codings{{"raw", golden::Coding::raw},
                                                     {"jpeg", golden::Coding::jpeg},
                                                     {"jpegls", golden::Coding::jpegls}};
+const std::map<std::string, quantize::Dither> dithers{{"none", quantize::Dither::none},
+                                                      {"ordered", quantize::Dither::ordered},
+                                                      {"diffused", quantize::Dither::diffused}};
 
-/// Turns a map of one kind into another. The codings of one kind need nothing; LRGB and LUM to RGB
-/// quantise anew and go here.
-golden::PtmMap convert_kind(golden::PtmMap map) { return map; }
+/// Whether the written bytes may differ from the map's.
+bool loses_bytes(const ConvertOptions& options) { return options.lossy || options.near > 0; }
 
 golden::PtmWriteOptions write_options(const ConvertOptions& options) {
   golden::PtmWriteOptions out;
@@ -46,6 +55,13 @@ golden::PtmWriteOptions write_options(const ConvertOptions& options) {
   out.jpeg_quality = options.quality;
   out.exact = !options.lossy;
   out.inversion = options.inversion;
+  out.near = options.near;
+  if (options.near > 0 && out.coding != golden::Coding::jpegls) {
+    throw ExitError(ExitCode::usage, "--near goes with --format jpegls only");
+  }
+  if (options.mip && options.palette > 0) {
+    throw ExitError(ExitCode::usage, "--mip and --palette do not go together");
+  }
   if (out.coding != golden::Coding::jpeg && (options.lossy || options.inversion)) {
     throw ExitError(ExitCode::usage, "--lossy and --inversion go with --format jpeg only");
   }
@@ -68,11 +84,101 @@ Json compare_bytes(const std::vector<std::uint8_t>& wanted,
   return {{"bytes", wanted.size()}, {"differing", differing}, {"max", greatest}, {"mean", mean}};
 }
 
-std::vector<std::string> write_map(const ConvertOptions& options, const golden::PtmMap& map) {
+/// The steps that change the map itself, each with a sentence; empty if none was asked for.
+golden::PtmMap apply_steps(golden::PtmMap map, const ConvertOptions& options, Json& steps) {
+  const reference::EvalConfig config =
+      reference::find_preset(options.preset.empty() ? "base" : options.preset).config;
+  const quantize::Dither dither = dithers.at(options.dither);
+  const auto take = [&](const char* name, SteppedMap stepped) {
+    steps.push_back({{"step", name}, {"how", stepped.how}});
+    map = std::move(stepped.map);
+  };
+  if (options.kind == "rgb" && map.kind != golden::MapKind::rgb) {
+    take("rgb", to_rgb_map(map, config, dither));
+  } else if (!options.preset.empty() || dither != quantize::Dither::none) {
+    take("hold", hold_map(map, config, dither));
+  }
+  if (options.palette > 0) {
+    quantize::PaletteOptions palette{.entries = options.palette, .seed = options.seed};
+    Progress progress("palette", static_cast<std::size_t>(quantize::palette_steps(palette)));
+    palette.step = [&progress] { progress.step(); };
+    take("palette", palette_map(map, config, palette));
+  }
+  return map;
+}
+
+/// OUT.ptm becomes OUT.0.ptm, OUT.1.ptm and so on, the largest level first.
+std::string level_name(const std::string& output, std::size_t level) {
+  std::filesystem::path path(output);
+  const std::string ending = path.extension().string();
+  return path.replace_extension("." + std::to_string(level) + ending).string();
+}
+
+Json describe_difference(const golden::PtmMap& before, const golden::PtmMap& after) {
+  const LitDifference lit = compare_lit(before, after, comparison_lights());
+  return {{"lights", comparison_lights().size()},
+          {"rmse", lit.rmse},
+          {"psnr_db", lit.psnr_db},
+          {"max", lit.max},
+          {"within_999", lit.within_999},
+          {"visible_share", lit.visible_share},
+          {"ssim", lit.ssim},
+          {"ssim_least", lit.ssim_least}};
+}
+
+/// Writes a map, reads it back and says how the file differs from it.
+Json write_and_check(const ConvertOptions& options, const std::string& name,
+                     const golden::PtmMap& map) {
+  std::vector<std::string> notes;
   try {
-    return golden::write_ptm(options.output, map, write_options(options));
+    notes = golden::write_ptm(name, map, write_options(options));
   } catch (const std::invalid_argument& error) {
     throw ExitError(ExitCode::usage, error.what());
+  }
+  const golden::PtmFile output = golden::read_ptm(name);
+  const double payload =
+      8.0 * static_cast<double>(output.info.file_bytes - output.info.header_bytes);
+  Json report{{"file", name},
+              {"format", output.info.format},
+              {"version", output.info.version},
+              {"width", map.width},
+              {"height", map.height},
+              {"file_bytes", output.info.file_bytes},
+              {"payload_bits_per_texel", payload / static_cast<double>(map.texels())},
+              {"coefficients", compare_bytes(map.coef, output.map.coef)},
+              {"colors", compare_bytes(map.color, output.map.color)},
+              {"notes", notes}};
+  if (loses_bytes(options)) report["coding_lit"] = describe_difference(map, output.map);
+  if (!loses_bytes(options) && output.map != map) {
+    throw ExitError(ExitCode::disagree, name + " does not read back as it was written");
+  }
+  return report;
+}
+
+void print_lit(const char* what, const Json& lit) {
+  std::cout << what << " under " << lit["lights"] << " lights: ";
+  if (lit["max"] == 0.0) {
+    std::cout << "unchanged\n";
+    return;
+  }
+  std::cout << lit["rmse"] << " levels RMS, " << lit["psnr_db"] << " dB, SSIM " << lit["ssim"]
+            << " (least " << lit["ssim_least"] << "), 99.9 % within " << lit["within_999"]
+            << ", max " << lit["max"] << '\n';
+}
+
+void print_file(const Json& report, const Json& input_bytes) {
+  std::cout << report["file"].get<std::string>() << ": " << report["format"].get<std::string>()
+            << ", " << report["width"] << " x " << report["height"] << ", " << report["file_bytes"]
+            << " bytes (" << report["payload_bits_per_texel"] << " bits a texel), was "
+            << input_bytes << '\n';
+  for (const char* part : {"coefficients", "colors"}) {
+    const Json& row = report[part];
+    std::cout << part << " read back: " << row["differing"] << " of " << row["bytes"]
+              << " bytes differ, max " << row["max"] << ", mean " << row["mean"] << '\n';
+  }
+  if (report.contains("coding_lit")) print_lit("what coding changed", report["coding_lit"]);
+  for (const Json& note : report["notes"]) {
+    std::cout << "note: " << note.get<std::string>() << '\n';
   }
 }
 
@@ -81,42 +187,62 @@ void print(const ConvertOptions& options, const Json& report) {
     std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     return;
   }
-  std::cout << options.output << ": " << report["format"].get<std::string>() << ", "
-            << report["file_bytes"] << " bytes, was " << report["input_bytes"] << '\n';
-  for (const char* part : {"coefficients", "colors"}) {
-    const Json& row = report[part];
-    std::cout << part << " read back: " << row["differing"] << " of " << row["bytes"]
-              << " bytes differ, max " << row["max"] << ", mean " << row["mean"] << '\n';
+  for (const Json& step : report["steps"]) {
+    std::cout << step["step"].get<std::string>() << ": " << step["how"].get<std::string>() << '\n';
   }
-  for (const Json& note : report["notes"]) {
-    std::cout << "note: " << note.get<std::string>() << '\n';
-  }
+  if (report.contains("lit")) print_lit("what the steps changed", report["lit"]);
+  if (!report.contains("levels")) return print_file(report, report["input_bytes"]);
+  for (const Json& level : report["levels"]) print_file(level, report["input_bytes"]);
 }
 
 void convert(const ConvertOptions& options) {
   (void)write_options(options);  // wrong usage is told before any work
-  golden::PtmFile input = golden::read_ptm(options.input);
-  const golden::PtmMap map = convert_kind(std::move(input.map));
-  const std::vector<std::string> notes = write_map(options, map);
-  const golden::PtmFile output = golden::read_ptm(options.output);
-  print(options, {{"file", options.output},
-                  {"format", output.info.format},
-                  {"version", output.info.version},
-                  {"file_bytes", output.info.file_bytes},
-                  {"input_bytes", input.info.file_bytes},
-                  {"coefficients", compare_bytes(map.coef, output.map.coef)},
-                  {"colors", compare_bytes(map.color, output.map.color)},
-                  {"notes", notes}});
-  if (!options.lossy && output.map != map) {
-    throw ExitError(ExitCode::disagree, options.output + " does not read back as it was written");
+  const golden::PtmFile input = golden::read_ptm(options.input);
+  Json steps = Json::array();
+  const golden::PtmMap map = apply_steps(input.map, options, steps);
+  Json report;
+  if (options.mip) {
+    const std::vector<golden::PtmMap> chain = mip_chain(
+        map, reference::find_preset(options.preset.empty() ? "base" : options.preset).config);
+    Json levels = Json::array();
+    for (std::size_t level = 0; level < chain.size(); ++level) {
+      levels.push_back(write_and_check(options, level_name(options.output, level), chain[level]));
+    }
+    report["levels"] = levels;
+    if (chain.front() != map) report["lit"] = describe_difference(map, chain.front());
+  } else {
+    report = write_and_check(options, options.output, map);
   }
+  report["input_bytes"] = input.info.file_bytes;
+  report["steps"] = steps;
+  if (!steps.empty()) report["lit"] = describe_difference(input.map, map);
+  print(options, report);
+}
+
+void add_step_options(CLI::App& command, ConvertOptions& options) {
+  std::vector<std::string> presets;
+  for (const reference::Preset& preset : reference::kPresets) presets.emplace_back(preset.name);
+  command.add_option("--kind", options.kind, "rgb: one polynomial a channel")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"keep", "rgb"}));
+  command
+      .add_option("--preset", options.preset,
+                  "quantise for this hardware what it cannot take verbatim")
+      ->check(CLI::IsMember(presets));
+  command.add_option("--dither", options.dither, "where the map is quantised anew")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"none", "ordered", "diffused"}));
+  command.add_option("--palette", options.palette, "at most so many different polynomials")
+      ->check(CLI::Range(2, 65536));
+  command.add_option("--seed", options.seed, "of the palette")->capture_default_str();
+  command.add_flag("--mip", options.mip, "write OUT.0.ptm, OUT.1.ptm ... down to one texel");
 }
 
 }  // namespace
 
 void add_convert_command(CLI::App& app) {
   const auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = app.add_subcommand("convert", "A .ptm in another coding");
+  CLI::App* command = app.add_subcommand("convert", "A .ptm in another coding or of another kind");
   command->add_option("IN", options->input, "the .ptm to read")->required();
   command->add_option("OUT", options->output, "the .ptm to write")->required();
   command->add_option("--format", options->format, "coding of the output")
@@ -128,6 +254,10 @@ void add_convert_command(CLI::App& app) {
   command->add_option("--quality", options->quality, "of JPEG planes")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));
+  command->add_option("--near", options->near, "JPEG-LS: how far a byte may be off")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 127));
+  add_step_options(*command, *options);
   command->add_flag("--lossy", options->lossy, "leave what JPEG changed as it is");
   command->add_flag("--inversion", options->inversion,
                     "JPEG: planes may build on inverted ones, as HP's do (relight refuses them)");

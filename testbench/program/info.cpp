@@ -13,6 +13,7 @@
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
 #include "testbench/program/commands.h"
+#include "testbench/run/hardware_map.h"
 
 namespace ptm::testbench {
 namespace {
@@ -78,6 +79,22 @@ Json plane_rows(const golden::PtmFile& file) {
   return rows;
 }
 
+/// What each preset makes of the map: whether it takes the file's integers as they stand, and, of
+/// an lrgb map, how many texels' luminance it cannot hold under some light of the hemisphere.
+Json preset_rows(const golden::PtmMap& map) {
+  Json rows = Json::array();
+  for (const reference::Preset& preset : reference::kPresets) {
+    const quantize::Import import = import_map(map, preset.config);
+    Json row{{"preset", preset.name}, {"verbatim", import.map.has_value()}};
+    if (map.kind == golden::MapKind::lrgb) {
+      row["luminance_beyond"] = quantizer_input(map, preset.config).balance.exceeding;
+    }
+    row["why_not"] = import.why_not;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 Json describe_map(const std::filesystem::path& path) {
   const golden::PtmFile file = golden::read_ptm(path);
   const golden::PtmFileInfo& info = file.info;
@@ -98,6 +115,7 @@ Json describe_map(const std::filesystem::path& path) {
     out["quality"] = info.quality;
     out["planes"] = plane_rows(file);
   }
+  out["presets"] = preset_rows(file.map);
   out["notes"] = info.notes;
   return out;
 }

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   ptm::testbench::add_convert_command(app);
   ptm::testbench::add_synthesize_command(app);
   ptm::testbench::add_fit_command(app);
+  ptm::testbench::add_bump_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
 
 #include "golden/render/light_map.h"
-#include "model/quantize/import.h"
 
 namespace ptm::testbench {
 namespace {
@@ -23,16 +23,8 @@ void take_integers(StoredTexture& texture, quantize::StoredMap&& stored) {
   std::copy(stored.shift.begin(), stored.shift.end(), texture.shift.begin());
 }
 
-quantize::Import try_verbatim(const PtmMap& map, const reference::EvalConfig& config) {
-  if (map.kind == MapKind::lum) {
-    return {std::nullopt, "a LUM map runs as an RGB map, whose coefficients are sums"};
-  }
-  return quantize::import_verbatim(
-      {map.width, map.height, static_cast<int>(map.polynomials()), map.coef, map.scale, map.bias},
-      config);
-}
-
-std::string describe(const quantize::StoredMap& stored, const std::string& why_not) {
+std::string describe(const quantize::StoredMap& stored, const quantize::Balance& balance,
+                     const std::string& why_not) {
   std::ostringstream text;
   text.precision(3);
   const auto saturated =
@@ -40,6 +32,10 @@ std::string describe(const quantize::StoredMap& stored, const std::string& why_n
   text << "quantised (" << quantize::to_string(stored.origin) << ") because " << why_not
        << "; rms change of the luminance " << stored.rms_error << " levels, " << saturated
        << " coefficients saturated";
+  if (balance.exceeding > 0) {
+    text << "; luminance of " << balance.exceeding << " texels exceeded the hardware's, "
+         << balance.remaining << " still do after scaling colours up";
+  }
   return text.str();
 }
 
@@ -76,6 +72,8 @@ RealCoefficients real_polynomials(const PtmMap& map) {
   real.polynomials = map.kind == MapKind::lrgb ? 1 : 3;
   real.coef.reserve(map.texels() * real.polynomials * 6);
   for (std::size_t texel = 0; texel < map.texels(); ++texel) append_texel(map, texel, real.coef);
+  // A file's scale may take a coefficient past the largest double; no shift comes near either.
+  for (double& a : real.coef) a = std::clamp(a, -1e300, 1e300);
   return real;
 }
 
@@ -93,6 +91,35 @@ RealCoefficients rgb_polynomials(const PtmMap& map) {
   return rgb;
 }
 
+quantize::Import import_map(const PtmMap& map, const reference::EvalConfig& config) {
+  if (map.kind == MapKind::lum) {
+    return {std::nullopt, "a LUM map runs as an RGB map, whose coefficients are sums"};
+  }
+  return quantize::import_verbatim(
+      {map.width, map.height, static_cast<int>(map.polynomials()), map.coef, map.scale, map.bias},
+      config);
+}
+
+std::vector<std::array<double, 2>> hemisphere_lights() {
+  constexpr int count = 256;
+  std::vector<std::array<double, 2>> lights;
+  for (int n = 0; n < count; ++n) {
+    const double w = static_cast<double>(n) / (count - 1), r = std::sqrt(1 - w * w);
+    const double angle = n * std::numbers::pi * (3 - std::sqrt(5.0));
+    lights.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  return lights;
+}
+
+QuantizerInput quantizer_input(const PtmMap& map, const reference::EvalConfig& config) {
+  QuantizerInput input{real_polynomials(map), {}, {}};
+  if (map.kind != MapKind::lrgb) return input;
+  input.color = map.color;
+  input.balance =
+      quantize::balance_luminance(input.real.coef, input.color, hemisphere_lights(), config);
+  return input;
+}
+
 HardwareMap store_map(const PtmMap& map, const reference::EvalConfig& config,
                       quantize::Method method) {
   HardwareMap hardware;
@@ -100,19 +127,20 @@ HardwareMap store_map(const PtmMap& map, const reference::EvalConfig& config,
   texture.width = map.width;
   texture.height = map.height;
   texture.rgb = map.kind != MapKind::lrgb;
-  if (!texture.rgb) texture.color = map.color;
-  quantize::Import import = try_verbatim(map, config);
+  quantize::Import import = import_map(map, config);
   if (import.map) {
+    if (!texture.rgb) texture.color = map.color;
     take_integers(texture, std::move(*import.map));
     hardware.how = "imported verbatim: the file's integers are the hardware's";
     return hardware;
   }
-  const RealCoefficients real = real_polynomials(map);
-  quantize::StoredMap stored =
-      quantize::quantize({map.width, map.height, static_cast<int>(real.polynomials), real.coef},
-                         config, method, quantize::hemisphere_gram());
+  QuantizerInput input = quantizer_input(map, config);
+  quantize::StoredMap stored = quantize::quantize(
+      {map.width, map.height, static_cast<int>(input.real.polynomials), input.real.coef}, config,
+      method, quantize::hemisphere_gram());
   hardware.origin = stored.origin;
-  hardware.how = describe(stored, import.why_not);
+  hardware.how = describe(stored, input.balance, import.why_not);
+  texture.color = std::move(input.color);
   take_integers(texture, std::move(stored));
   return hardware;
 }

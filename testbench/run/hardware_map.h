@@ -1,8 +1,11 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
 #include "golden/files/ptm_map.h"
+#include "model/quantize/balance.h"
+#include "model/quantize/import.h"
 #include "model/quantize/quantize.h"
 #include "model/reference/texture_words.h"
 
@@ -26,6 +29,24 @@ struct RealCoefficients {
 [[nodiscard]] RealCoefficients real_polynomials(const golden::PtmMap& map, std::size_t texel);
 /// The same with an lrgb map's colour multiplied in: three polynomials whatever the kind.
 [[nodiscard]] RealCoefficients rgb_polynomials(const golden::PtmMap& map);
+
+/// The file's integers unchanged, or why this hardware cannot hold them.
+[[nodiscard]] quantize::Import import_map(const golden::PtmMap& map,
+                                          const reference::EvalConfig& config);
+
+/// What is quantised where a map cannot be taken verbatim: an lrgb map's colours have taken up
+/// luminance that the hardware could not hold under lights anywhere on the hemisphere
+/// (model/quantize/balance.h).
+struct QuantizerInput {
+  RealCoefficients real;
+  std::vector<std::uint8_t> color;  ///< [texel][3], lrgb only
+  quantize::Balance balance;
+};
+[[nodiscard]] QuantizerInput quantizer_input(const golden::PtmMap& map,
+                                             const reference::EvalConfig& config);
+
+/// Lights to balance luminance for: 256 directions down to the horizon, (lu, lv).
+[[nodiscard]] std::vector<std::array<double, 2>> hemisphere_lights();
 
 /// Stores a map for a configuration: verbatim where the file allows it, otherwise quantised by
 /// `method` over lights spread evenly on the hemisphere.

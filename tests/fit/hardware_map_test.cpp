@@ -50,6 +50,7 @@ TEST(StoreMap, TakesAFileThatFitsVerbatim) {
 TEST(StoreMap, QuantisesAFileWithRealScalesAndSaysWhy) {
   golden::PtmMap map = random_map(golden::MapKind::lrgb, 1.7);
   map.bias[0] = -715;
+  std::fill(map.color.begin(), map.color.end(), std::uint8_t{255});  // no room for luminance
   const HardwareMap hardware = store_map(map, reference::kBase);
   EXPECT_NE(hardware.how.find("scale 0 is 1.7"), std::string::npos) << hardware.how;
   EXPECT_EQ(hardware.origin, quantize::Origin::nearest_plane);
@@ -58,6 +59,20 @@ TEST(StoreMap, QuantisesAFileWithRealScalesAndSaysWhy) {
     worst = std::max(worst, std::abs(real_value(hardware.texture, k) - map.coef[k] * 1.7));
   }
   EXPECT_LE(worst, 1);  // 0..433 in 256 steps: a step of 2, half of it
+}
+
+TEST(StoreMap, MovesLuminanceBeyondTheHardwaresIntoColour) {
+  golden::PtmMap map = random_map(golden::MapKind::lrgb, 1.7);
+  map.bias[0] = -715;
+  std::fill(map.color.begin(), map.color.end(), std::uint8_t{50});
+  const HardwareMap hardware = store_map(map, reference::kBase);
+  EXPECT_NE(hardware.how.find("colours"), std::string::npos) << hardware.how;
+  EXPECT_NE(hardware.texture.color, map.color);
+  for (std::size_t t = 0; t < map.texels(); ++t) {
+    const double color = hardware.texture.color[t * 3],
+                 a5 = real_value(hardware.texture, t * 6 + 5);
+    EXPECT_NEAR(color * a5 / 255, 50 * (map.coef[t * 6 + 5] * 1.7) / 255, 0.5) << t;
+  }
 }
 
 TEST(StoreMap, RunsALumMapAsAnRgbMapOfSums) {

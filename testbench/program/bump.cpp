@@ -1,0 +1,119 @@
+// ptmsim bump: a height field or a normal map becomes a map of diffuse light.
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/bump/bump_map.h"
+#include "golden/files/picture_file.h"
+#include "golden/files/ptm_file.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/exit_code.h"
+#include "testbench/run/hardware_map.h"
+
+namespace ptm::testbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BumpOptions {
+  std::string input, out;
+  bool height = false, normals = false, json = false;
+  std::optional<double> strength;
+  std::string domain = "hemisphere", preset = "base";
+};
+
+const std::map<std::string, golden::BumpDomain> domains{
+    {"hemisphere", golden::BumpDomain::hemisphere},
+    {"disc", golden::BumpDomain::disc},
+    {"square", golden::BumpDomain::square}};
+
+golden::NormalField read_field(const BumpOptions& options) {
+  if (options.strength && !std::isfinite(*options.strength)) {
+    throw ExitError(ExitCode::usage, "--strength: expected a finite number");
+  }
+  const golden::ImageReal picture = golden::read_picture(options.input);
+  if (options.normals) {
+    return golden::normals_from_colors(picture, options.strength.value_or(1), options.input);
+  }
+  return golden::normals_from_heights(picture, options.strength.value_or(16));
+}
+
+Json describe(const golden::BumpError& error) {
+  return {{"rmse", error.rmse}, {"max", error.max}, {"by_elevation", error.by_elevation}};
+}
+
+Json bump(const BumpOptions& options) {
+  const golden::NormalField field = read_field(options);
+  const std::vector<double> coef =
+      golden::bump_coefficients(field, golden::NormalTable(domains.at(options.domain)));
+  const quantize::StoredMap stored = quantize::quantize(
+      {.width = field.width, .height = field.height, .polynomials = 1, .coef = coef},
+      reference::find_preset(options.preset).config, quantize::Method::nearest_plane,
+      quantize::hemisphere_gram());
+  std::vector<std::uint8_t> white(field.normals.size() * 3, 255);
+  const auto notes =
+      golden::write_ptm(options.out, to_ptm(stored, golden::MapKind::lrgb, std::move(white)));
+  return {{"map", options.out},
+          {"width", field.width},
+          {"height", field.height},
+          {"from", options.normals ? "normals" : "height"},
+          {"domain", options.domain},
+          {"preset", options.preset},
+          {"real", describe(golden::measure_bump(field, coef))},
+          {"stored", describe(golden::measure_bump(field, quantize::dequantize(stored)))},
+          {"quantization_rms", stored.rms_error},
+          {"notes", notes}};
+}
+
+void print_text(const Json& out) {
+  std::cout << out["map"].get<std::string>() << ": " << out["width"] << " x " << out["height"]
+            << ", from " << out["from"].get<std::string>() << ", fitted over the "
+            << out["domain"].get<std::string>() << '\n';
+  for (const char* which : {"real", "stored"}) {
+    std::cout << "against max(0, N.L) over the hemisphere, " << which << ": " << out[which]["rmse"]
+              << " levels RMS, max " << out[which]["max"] << '\n';
+  }
+  std::cout << "RMS by elevation of the light, ten degrees each from the horizon up:";
+  for (const Json& band : out["stored"]["by_elevation"]) std::cout << ' ' << band;
+  std::cout << '\n';
+  for (const Json& note : out["notes"]) std::cout << "note: " << note.get<std::string>() << '\n';
+}
+
+}  // namespace
+
+void add_bump_command(CLI::App& app) {
+  const auto options = std::make_shared<BumpOptions>();
+  CLI::App* command = app.add_subcommand("bump", "A height field or normal map to a map");
+  command->add_option("IN", options->input, "the picture")->required();
+  command->add_option("--out", options->out, "the map to write (.ptm)")->required();
+  auto* height = command->add_flag("--height", options->height, "IN holds heights (the default)");
+  command->add_flag("--normals", options->normals, "IN holds normals, green up")->excludes(height);
+  command
+      ->add_option("--strength", options->strength,
+                   "white's height in pixels (16), or a factor on a normal map's slopes (1)")
+      ->check(CLI::Range(-1e6, 1e6));
+  command->add_option("--domain", options->domain, "what the polynomials are fitted over")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"hemisphere", "disc", "square"}));
+  std::vector<std::string> presets;
+  for (const reference::Preset& preset : reference::kPresets) presets.emplace_back(preset.name);
+  command->add_option("--preset", options->preset, "hardware that is to hold the map")
+      ->capture_default_str()
+      ->check(CLI::IsMember(presets));
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback([options] {
+    const Json out = bump(*options);
+    if (options->json) {
+      std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    } else {
+      print_text(out);
+    }
+  });
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,154 @@
+#include "testbench/run/map_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+#include "model/quantize/gain.h"
+#include "model/quantize/mip.h"
+#include "testbench/run/hardware_map.h"
+
+namespace ptm::testbench {
+namespace {
+
+using golden::MapKind;
+using golden::PtmMap;
+using reference::EvalConfig;
+
+/// A map's real coefficients and colours, and the grid that holds them.
+struct Held {
+  quantize::StoredMap stored;
+  RealCoefficients real;
+  std::vector<std::uint8_t> color;
+  MapKind kind = MapKind::lrgb;
+  std::string how;
+
+  [[nodiscard]] quantize::RealMap view() const {
+    return {stored.width, stored.height, stored.polynomials, real.coef};
+  }
+  [[nodiscard]] quantize::Grid grid() const { return {stored.bias, stored.shift}; }
+  [[nodiscard]] PtmMap map() const { return to_ptm(stored, kind, color); }
+};
+
+std::string describe(const quantize::StoredMap& stored) {
+  std::ostringstream text;
+  text.precision(3);
+  text << "rms change of the luminance " << stored.rms_error << " levels, " << stored.worst_error
+       << " at the worst polynomial, "
+       << std::accumulate(stored.saturated.begin(), stored.saturated.end(), std::uint64_t{0})
+       << " coefficients saturated";
+  return text.str();
+}
+
+quantize::StoredMap store(const quantize::RealMap& real, const EvalConfig& config,
+                          quantize::Dither dither) {
+  const quantize::Gram gram = quantize::hemisphere_gram();
+  quantize::StoredMap stored =
+      quantize::quantize(real, config, quantize::Method::nearest_plane, gram);
+  if (dither == quantize::Dither::none) return stored;
+  return quantize::quantize_dithered(real, {stored.bias, stored.shift}, config, dither, gram);
+}
+
+Held hold(const PtmMap& map, const EvalConfig& config,
+          quantize::Dither dither = quantize::Dither::none) {
+  Held held;
+  held.kind = map.kind == MapKind::lrgb ? MapKind::lrgb : MapKind::rgb;
+  quantize::Import import = import_map(map, config);
+  if (import.map) {
+    held.stored = std::move(*import.map);
+    held.real = real_polynomials(map);
+    held.color = map.color;
+    held.how = "taken verbatim";
+    return held;
+  }
+  QuantizerInput input = quantizer_input(map, config);
+  held.real = std::move(input.real);
+  held.color = std::move(input.color);
+  held.stored =
+      store({map.width, map.height, static_cast<int>(held.real.polynomials), held.real.coef},
+            config, dither);
+  held.how = "quantised because " + import.why_not + "; " + describe(held.stored);
+  if (input.balance.scaled > 0) {
+    held.how += "; colour scaled up and luminance down in " + std::to_string(input.balance.scaled) +
+                " texels";
+  }
+  return held;
+}
+
+/// How much a texel's luminance shows once its colour is multiplied by its factor:
+/// |factor * colour|^2 / 3 / 255^2. Empty if nothing shows.
+std::vector<double> color_weights(const std::vector<std::uint8_t>& color,
+                                  const std::vector<double>& factors) {
+  std::vector<double> weights(color.size() / 3);
+  for (std::size_t t = 0; t < weights.size(); ++t) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      weights[t] += std::pow(factors[t] * color[t * 3 + c] / 255, 2) / 3;
+    }
+  }
+  const bool black = std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
+  return black ? std::vector<double>{} : weights;
+}
+
+}  // namespace
+
+SteppedMap hold_map(const PtmMap& map, const EvalConfig& config, quantize::Dither dither) {
+  const Held held = hold(map, config, dither);
+  return {held.map(), held.how};
+}
+
+SteppedMap to_rgb_map(const PtmMap& map, const EvalConfig& config, quantize::Dither dither) {
+  if (map.kind != MapKind::lrgb) return hold_map(map, config, dither);
+  const RealCoefficients rgb = rgb_polynomials(map);
+  const quantize::StoredMap stored = store({map.width, map.height, 3, rgb.coef}, config, dither);
+  return {to_ptm(stored, MapKind::rgb, {}), "colour multiplied in; " + describe(stored)};
+}
+
+SteppedMap palette_map(const PtmMap& map, const EvalConfig& config,
+                       const quantize::PaletteOptions& options) {
+  const Held held = hold(map, config);
+  const quantize::Gram gram = quantize::hemisphere_gram();
+  // Beyond 1e9 no shift holds a coefficient anyway, and squares stay finite.
+  std::vector<double> real_coef = held.real.coef, weights;
+  for (double& a : real_coef) a = std::clamp(a, -1e9, 1e9);
+  std::vector<double> coef = real_coef;
+  if (held.kind == MapKind::lrgb) {
+    weights = color_weights(held.color, quantize::equalize_strength(coef, held.color, gram));
+  }
+  const quantize::RealMap real{map.width, map.height, held.stored.polynomials, coef};
+  const quantize::Palette palette = quantize::make_palette(real, weights, options, gram);
+  const quantize::StoredMap table =
+      quantize::quantize(palette.view(), config, quantize::Method::nearest_plane, gram);
+  const quantize::StoredMap stored =
+      quantize::store_palette(real, palette, {table.bias, table.shift}, config, gram);
+  std::vector<std::uint8_t> color;
+  if (held.kind == MapKind::lrgb) {
+    color = quantize::refit_colors(real_coef, quantize::dequantize(stored), held.color, gram);
+  }
+  std::ostringstream how;
+  how << "a palette of " << palette.entries() << " entries after " << palette.rounds
+      << " rounds of k-means, seed " << options.seed << "; " << describe(stored);
+  return {to_ptm(stored, held.kind, std::move(color)), how.str()};
+}
+
+std::vector<PtmMap> mip_chain(const PtmMap& map, const EvalConfig& config) {
+  const Held held = hold(map, config);
+  std::vector<PtmMap> chain{held.map()};
+  std::vector<double> color(held.color.begin(), held.color.end());
+  for (const quantize::RealLevel& level : quantize::mip_levels(held.view())) {
+    std::vector<std::uint8_t> bytes;
+    if (held.kind == MapKind::lrgb) {
+      color = quantize::halve(color, chain.back().width, chain.back().height, 3);
+      bytes.resize(color.size());
+      std::transform(color.begin(), color.end(), bytes.begin(),
+                     [](double c) { return static_cast<std::uint8_t>(std::floor(c + 0.5)); });
+    }
+    chain.push_back(to_ptm(
+        quantize::quantize_on_grid(level.view(), held.grid(), config,
+                                   quantize::Method::nearest_plane, quantize::hemisphere_gram()),
+        held.kind, std::move(bytes)));
+  }
+  return chain;
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,100 @@
+// The paper's claims on storage, printed as "paper / ours" (Polynomial Texture Maps, section 5).
+#include <gtest/gtest.h>
+
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "golden/files/ptm_file.h"
+#include "golden/fit/capture.h"
+#include "golden/fit/fit_lrgb.h"
+#include "model/quantize/quantize.h"
+#include "testbench/compare/lit_difference.h"
+#include "testbench/run/hardware_map.h"
+#include "testbench/run/map_steps.h"
+#include "tests/shared_data.h"
+
+namespace ptm::testbench {
+namespace {
+
+using golden::MapKind;
+using golden::PtmMap;
+
+PtmMap fit_capture(const std::filesystem::path& lp) {
+  const golden::Capture capture = golden::read_capture(lp);
+  golden::LrgbFit fit = golden::fit_lrgb(capture, golden::solve_lights(capture.directions));
+  return to_ptm(quantize::quantize({fit.width, fit.height, 1, fit.coef}, reference::kBase,
+                                   quantize::Method::nearest_plane, quantize::hemisphere_gram()),
+                MapKind::lrgb, std::move(fit.color));
+}
+
+LitDifference print_palette(const std::string& name, const PtmMap& map, int entries) {
+  const SteppedMap palette = palette_map(map, reference::kBase, {.entries = entries});
+  const LitDifference lit = compare_lit(map, palette.map, comparison_lights());
+  std::cout << name << ", palette of " << entries << ": paper indistinguishable / ours "
+            << lit.psnr_db << " dB, SSIM " << lit.ssim << ", " << 100 * lit.visible_share
+            << " % of samples differ by more than 5 levels\n";
+  return lit;
+}
+
+TEST(PaperClaims, APaletteOf256IsHardToTellFromTheOriginal) {
+  // Diffuse things as the paper's; the measure is docs/spec/quantize.md's.
+  for (const char* file : {"tablet2/tablet2_LRGB.ptm", "ushabti/ushabti.ptm"}) {
+    PTM_SHARED_DATA_OR_SKIP(path, file);
+    const LitDifference lit = print_palette(path.stem().string(), golden::read_ptm(path).map, 256);
+    EXPECT_GT(lit.psnr_db, 38);
+    EXPECT_GT(lit.ssim, 0.95);
+  }
+  for (const char* file : {"icon/dirs.lp", "dome/Dome/dirs.lp"}) {
+    PTM_SHARED_DATA_OR_SKIP(lp, file);
+    const bool diffuse = std::string(file).starts_with("icon");
+    const LitDifference lit = print_palette(file, fit_capture(lp), 256);
+    EXPECT_GT(lit.psnr_db, diffuse ? 43 : 33) << file;  // dome has shadows and gloss
+  }
+}
+
+TEST(PaperClaims, ARgbPaletteOf4096IsHardToTellFromTheOriginal) {
+  PTM_SHARED_DATA_OR_SKIP(lp, "icon/dirs.lp");
+  const PtmMap rgb = to_rgb_map(fit_capture(lp), reference::kBase, quantize::Dither::none).map;
+  const LitDifference lit = print_palette("icon as RGB", rgb, 4096);
+  EXPECT_GT(lit.psnr_db, 40);
+  EXPECT_GT(lit.ssim, 0.95);
+}
+
+struct Row {
+  const char* name;
+  std::array<double, 4> paper;
+  PtmMap map;
+};
+
+void print_table_1(const Row& row) {
+  constexpr std::array<int, 4> losses{0, 1, 2, 4};
+  double before = 1e9;
+  for (std::size_t i = 0; i < losses.size(); ++i) {
+    const auto bytes =
+        golden::format_ptm(row.map, {.coding = golden::Coding::jpegls, .near = losses[i]});
+    const golden::PtmFile file = golden::parse_ptm(bytes, "claims");
+    const double bits = 8.0 * static_cast<double>(bytes.size() - file.info.header_bytes) /
+                        static_cast<double>(row.map.texels());
+    const LitDifference lit = compare_lit(row.map, file.map, comparison_lights());
+    std::cout << row.name << ", loss " << losses[i] << ": bits a texel, paper " << row.paper[i]
+              << " / ours " << bits << "; rendered channels off by " << lit.rmse
+              << " levels RMS, 99.9 % within " << lit.within_999 << ", max " << lit.max << '\n';
+    EXPECT_LT(bits, before);
+    // A plane's loss is at most `loss` steps; the picture's RMS stays below it.
+    EXPECT_LE(lit.rmse, losses[i] * 1.2);
+    before = bits;
+  }
+}
+
+TEST(PaperClaims, BitsATexelAtLosses0124) {
+  PTM_SHARED_DATA_OR_SKIP(tablet, "tablet2/tablet2_LRGB.ptm");
+  PTM_SHARED_DATA_OR_SKIP(ushabti, "ushabti/ushabti.ptm");
+  PTM_SHARED_DATA_OR_SKIP(icon, "icon/dirs.lp");
+  print_table_1({"tablet", {33.8, 21.3, 16.9, 13.0}, golden::read_ptm(tablet).map});
+  print_table_1({"ushabti", {31.3, 19.8, 15.9, 12.3}, golden::read_ptm(ushabti).map});
+  print_table_1({"icon (paper: average)", {27.4, 17.1, 13.5, 10.1}, fit_capture(icon)});
+}
+
+}  // namespace
+}  // namespace ptm::testbench
