@@ -31,7 +31,7 @@ struct StreamTiming {
 /// Idle cycles before item n is offered, after item n - 1 was accepted: the source's own, and at
 /// random none or 1 to 4 more.
 [[nodiscard]] constexpr Cycle gap(const StreamTiming& timing, std::uint64_t item) {
-  const Cycle own = item % timing.group == 0 ? timing.idle : 0;
+  const Cycle own = timing.idle != 0 && item % timing.group == 0 ? timing.idle : 0;
   if (timing.input_gap <= 0) return own;
   const std::uint64_t h = hash(timing.seed, item);
   return own + (chance(h, timing.input_gap) ? 1 + hash(h, 1) % 4 : 0);

@@ -39,15 +39,18 @@ template <class Int>
   return shift_right(p + Int{Value{1}} + shift_right(p, Value{8}), Value{8});
 }
 
+/// {f(0), f(1), f(2)}, as for_six().
+template <class F>
+[[nodiscard, gnu::always_inline]] constexpr auto for_three(F&& f) {
+  return std::array{f(0U), f(1U), f(2U)};
+}
+
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Color<Int> limit_color(const Three<Int>& exact) {
-  const Int top{Value{255}};
-  Color<Int> color;
-  for (unsigned c = 0; c < 3; ++c) {
-    color.out[c] = smaller(exact[c], top);
-    color.saturated = either(color.saturated, differs(color.out[c], exact[c]));
-  }
-  return color;
+  const auto limited = [&](unsigned c) -> Int { return smaller(exact[c], Int{Value{255}}); };
+  const Three<Int> out = for_three(limited);
+  const auto changed = [&](unsigned c) { return differs(out[c], exact[c]); };
+  return {out, either(either(changed(0), changed(1)), changed(2))};
 }
 
 /// D7, scale: out[c] = min(255, narrow(product[c], lum_frac + filter_frac) / 255).
@@ -56,13 +59,10 @@ template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Color<Int> color_scale(const EvalConfig& config,
                                                                    const Three<Int>& product) {
   const StepScope<Int> scope(Step::color_scale);
-  Three<Int> quotient{};
-  for (unsigned c = 0; c < 3; ++c) {
-    const Int p =
-        narrow_constant(config.rounding, product[c], config.lum_frac + config.filter_frac);
-    quotient[c] = divide_255(config.rounding, p);
-  }
-  return limit_color(quotient);
+  return limit_color<Int>(for_three([&](unsigned c) -> Int {
+    const int drop = config.lum_frac + config.filter_frac;
+    return divide_255(config.rounding, narrow_constant(config.rounding, product[c], drop));
+  }));
 }
 
 /// RGB maps: out[c] = min(255, narrow(lum[c], lum_frac)).  Twin: rtl/ptm_color_scale.sv
@@ -70,11 +70,9 @@ template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Color<Int> color_direct(const EvalConfig& config,
                                                                     const Three<Int>& lum) {
   const StepScope<Int> scope(Step::color_scale);
-  Three<Int> whole{};
-  for (unsigned c = 0; c < 3; ++c) {
-    whole[c] = narrow_constant(config.rounding, lum[c], config.lum_frac);
-  }
-  return limit_color(whole);
+  return limit_color<Int>(for_three([&](unsigned c) -> Int {
+    return narrow_constant(config.rounding, lum[c], config.lum_frac);
+  }));
 }
 
 }  // namespace ptm::reference

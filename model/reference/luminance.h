@@ -10,6 +10,12 @@ namespace ptm::reference {
 template <class Int>
 using Six = std::array<Int, 6>;  ///< a0 (lu^2), a1 (lv^2), a2 (lu lv), a3 (lu), a4 (lv), a5 (1)
 
+/// {f(0), ..., f(5)}: values, not loops over arrays, so that a compiler keeps them in registers.
+template <class F>
+[[nodiscard, gnu::always_inline]] constexpr auto for_six(F&& f) {
+  return std::array{f(0U), f(1U), f(2U), f(3U), f(4U), f(5U)};
+}
+
 /// D1. Removes the bias.
 ///
 ///     d[i] = sat(coef[i] - (bias[i] << filter_frac), delta_bits + filter_frac)
@@ -21,11 +27,9 @@ template <class Int>
                                                             const Six<Int>& coef,
                                                             const Six<Int>& bias) {
   const StepScope<Int> scope(Step::unpack);
-  Six<Int> d{};
-  for (unsigned i = 0; i < 6; ++i) {
-    d[i] = sat(coef[i] - shift_left(bias[i], config.filter_frac), widths(config).delta);
-  }
-  return d;
+  return for_six([&](unsigned i) -> Int {
+    return sat(coef[i] - shift_left(bias[i], config.filter_frac), widths(config).delta);
+  });
 }
 
 template <class Int = Value>
@@ -75,12 +79,10 @@ template <class Int>
                                                            const Six<Int>& shift) {
   const StepScope<Int> scope(Step::align);
   const EvalWidths w = widths(config);
-  Six<Int> t{};
-  for (unsigned i = 0; i < 6; ++i) {
+  return for_six([&](unsigned i) -> Int {
     const Int amount = shift[i] + Int{Value{w.frac[i] - config.guard + w.pre_shift[i]}};
-    t[i] = narrow(config.rounding, shift_left(p[i], w.pre_shift[i]), amount);
-  }
-  return t;
+    return narrow(config.rounding, shift_left(p[i], w.pre_shift[i]), amount);
+  });
 }
 
 /// D5. The sum, 5 adds, in order of the coefficients.  Twin: rtl/ptm_sum.sv

@@ -69,11 +69,13 @@ TEST(PresetAccuracy, OfWideOnATabletIsAbove58_5DbWithNoErrorAbove0_6) {
   EXPECT_LE(accuracy.largest, 0.6);
 }
 
-TEST(PresetAccuracy, OfPaper8OnATabletIsPrinted) {
+TEST(PresetAccuracy, GrowsWithTheBitsThatAreSpent) {
   PTM_SHARED_DATA_OR_SKIP(map, "tablet2/tablet2_LRGB.ptm");
-  // Truncation to whole levels seven times over: at least a level on average, and rarely above 32,
-  // which is what seven dropped levels of a term scaled by 2^2 could come to.
-  EXPECT_GE(measure("paper8").psnr_db, 20 * std::log10(255.0 / 32));
+  const Accuracy paper8 = measure("paper8"), base = measure("base"), wide = measure("wide");
+  EXPECT_LT(paper8.psnr_db, base.psnr_db);
+  EXPECT_LT(base.psnr_db, wide.psnr_db);
+  EXPECT_GT(paper8.largest, base.largest);
+  EXPECT_GT(base.largest, wide.largest);
 }
 
 }  // namespace
