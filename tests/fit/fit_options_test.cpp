@@ -1,6 +1,9 @@
 // The options of `ptmsim fit`, run as a user runs them on photographs of a made-up relief.
 #include <cmath>
+#include <iomanip>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
@@ -129,12 +132,14 @@ TEST_F(FitOptions, TableAndResidualAreFilesOfWhatIsPrinted) {
 }
 
 TEST_F(FitOptions, UnivariateMapsFollowTheirOneParameter) {
-  std::string table;
+  std::ostringstream table;
   for (int i = 0; i < 6; ++i) {
-    grey("focus/p" + std::to_string(i) + ".png", static_cast<std::uint8_t>(20 + 8 * i * i));
-    table += std::to_string(i * 60) + "\n";
+    std::string name("focus/p");
+    name.append(1, static_cast<char>('0' + i)).append(".png");
+    grey(name, static_cast<std::uint8_t>(20 + 8 * i * i));
+    table << i * 60 << '\n';
   }
-  const auto seconds = write("seconds.txt", table);
+  const auto seconds = write("seconds.txt", table.str());
   const json out =
       fit(quoted(file("focus")) + " --univariate --format rgb --lights " + quoted(seconds));
   EXPECT_EQ(out.at("rank"), 3);
@@ -156,23 +161,26 @@ TEST_F(FitOptions, LinearAndRobustFitsDifferFromThePlainOne) {
 }
 
 TEST_F(FitOptions, SaysWhenLightsAreIllConditionedOrLieOnARing) {
-  std::string ring, nearly;
+  std::ostringstream ring, nearly;
   for (int i = 0; i < 8; ++i) {
-    grey("a" + std::to_string(i) + ".png", static_cast<std::uint8_t>(90 + i));
+    std::string name(1, static_cast<char>('a' + i));
+    name.append(".png");
+    grey(name, static_cast<std::uint8_t>(90 + i));
+    const double angle = 0.8 * i;
     const auto light = [&](double radius) {
-      const double angle = 0.8 * i;
-      return "a" + std::to_string(i) + ".png " + std::to_string(radius * std::cos(angle)) + ' ' +
-             std::to_string(radius * std::sin(angle)) + ' ' +
-             std::to_string(std::sqrt(1 - radius * radius)) + '\n';
+      std::ostringstream line;
+      line << std::setprecision(9) << name << ' ' << radius * std::cos(angle) << ' '
+           << radius * std::sin(angle) << ' ' << std::sqrt(1 - radius * radius) << '\n';
+      return line.str();
     };
-    ring += light(0.6);
-    nearly += light(i == 0 ? 0.6002 : 0.6);
+    ring << light(0.6);
+    nearly << light(i == 0 ? 0.6002 : 0.6);
   }
-  const json flat = fit(quoted(write("ring.lp", ring)));
+  const json flat = fit(quoted(write("ring.lp", ring.str())));
   EXPECT_EQ(flat.at("rank"), 5);
   EXPECT_NE(flat.at("notes")[0].get<std::string>().find("5 of 6 coefficients"), std::string::npos);
   EXPECT_NE(flat.at("notes")[0].get<std::string>().find("condition number"), std::string::npos);
-  const json ill = fit(quoted(write("nearly.lp", nearly)));
+  const json ill = fit(quoted(write("nearly.lp", nearly.str())));
   EXPECT_EQ(ill.at("rank"), 6);
   EXPECT_NE(ill.at("notes")[0].get<std::string>().find("ill-conditioned"), std::string::npos);
 }
