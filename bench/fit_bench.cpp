@@ -7,6 +7,7 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -23,7 +24,7 @@ constexpr double kMostRatio = 0.5;
 void use_one_core() {
   cpu_set_t cores;
   sched_getaffinity(0, sizeof cores, &cores);
-  int first = 0;
+  std::size_t first = 0;
   while (CPU_ISSET(first, &cores) == 0) ++first;
   CPU_ZERO(&cores);
   CPU_SET(first, &cores);
