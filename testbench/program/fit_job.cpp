@@ -1,13 +1,14 @@
 #include "testbench/program/fit_job.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "golden/files/lum_matrix.h"
 #include "golden/files/number_text.h"
 #include "golden/files/picture_row_writer.h"
 #include "golden/files/ptm_row_writer.h"
+#include "testbench/program/fit_judge.h"
+#include "testbench/run/stopwatch.h"
 
 namespace ptm::testbench {
 namespace {
@@ -15,24 +16,21 @@ namespace {
 using golden::Band;
 using golden::Capture;
 using golden::InputError;
-using golden::Squares;
 
 /// Polynomials that scales and biases are chosen by, at most about.
 constexpr std::size_t kSamplePolynomials = std::size_t{1} << 16;
-constexpr double kResidualGain =
-    4;  ///< grey levels of the residual picture for one of RMS residual
 
-class Stopwatch {
+/// Adds the time of a scope to a sum.
+class Timed {
  public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  explicit Timed(double& seconds) : seconds_(seconds) {}
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+  ~Timed() { seconds_ += watch_.seconds(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
   double& seconds_;
-  Clock::time_point start_;
+  Stopwatch watch_;
 };
 
 /// Moves every n-th photograph to a capture of its own.
@@ -50,19 +48,6 @@ Capture split_off(Capture& capture, int n) {
   return held;
 }
 
-struct LightSums {
-  std::vector<Squares> real, stored;
-  explicit LightSums(std::size_t lights) : real(lights), stored(lights) {}
-  void add(const LightSums& other) {
-    for (std::size_t i = 0; i < real.size(); ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        real[i][c] += other.real[i][c];
-        stored[i][c] += other.stored[i][c];
-      }
-    }
-  }
-};
-
 class Runner {
  public:
   Runner(const FitJob& job, const std::function<void(std::size_t, std::size_t)>& step)
@@ -74,7 +59,7 @@ class Runner {
   FitOutcome run() {
     open();
     Capture* const both[] = {&training_, &held_out_};
-    const std::size_t beside = polynomials() * (6 * sizeof(double) + 6) + 32;
+    const std::size_t beside = polynomials() * (12 * sizeof(double) + 6) + 32;
     golden::PhotoBands bands(both, job_.memory, beside);
     out_.bands = bands.bands();
     const std::size_t total = static_cast<std::size_t>(bands.bands()) * 2;
@@ -100,7 +85,7 @@ class Runner {
     }
     if (residual_) residual_->commit();
     writer.commit();
-    finish();
+    judge_->finish(out_);
     return std::move(out_);
   }
 
@@ -163,21 +148,18 @@ class Runner {
     } else if (out_.solver.condition > golden::kIllConditioned) {
       out_.notes.push_back(lights + "are ill-conditioned: condition number " + condition);
     }
-    const std::size_t lit = training_.names.size();
-    training_sums_ = LightSums(lit);
-    held_out_sums_ = LightSums(held_out_.names.size());
-    loo_squares_.assign(lit, 0.0);
+    judge_.emplace(training_, held_out_, out_.solver, job_.fit);
     const std::size_t all = shape_.texels() * polynomials();
     stride_ = (all + kSamplePolynomials - 1) / kSamplePolynomials;
   }
 
   void read(golden::PhotoBands& bands, int index) {
-    const Stopwatch watch(out_.read_seconds);
+    const Timed timed(out_.read_seconds);
     bands.read(index, band_);
   }
 
   void fit() {
-    const Stopwatch watch(out_.fit_seconds);
+    const Timed timed(out_.fit_seconds);
     coef_.resize(band_.texels * polynomials() * 6);
     color_.resize(band_.texels * shape_.color_bytes());
     golden::for_each_tile(band_.texels, [&](std::size_t, std::size_t first, std::size_t count) {
@@ -226,7 +208,7 @@ class Runner {
   }
 
   void choose() {
-    const Stopwatch watch(out_.quantize_seconds);
+    const Timed timed(out_.quantize_seconds);
     if (sample_.empty()) sample_.assign(coef_.begin(), coef_.begin() + 6);
     storage_.choose(sample_, range_);
     sample_ = {};
@@ -236,7 +218,7 @@ class Runner {
   }
 
   void store() {
-    const Stopwatch watch(out_.quantize_seconds);
+    const Timed timed(out_.quantize_seconds);
     bytes_.resize(coef_.size());
     std::vector<StorageLoss> losses(golden::tiles_of(band_.texels));
     golden::for_each_tile(band_.texels, [&](std::size_t tile, std::size_t first, std::size_t n) {
@@ -245,89 +227,11 @@ class Runner {
     for (const StorageLoss& loss : losses) out_.loss.add(loss);
   }
 
-  struct TileSums {
-    LightSums training, held_out;
-    std::vector<double> leave_one_out;
-  };
-
   void judge() {
-    const Stopwatch watch(out_.judge_seconds);
-    const std::size_t lights = training_.names.size();
-    std::vector<TileSums> sums(
-        golden::tiles_of(band_.texels),
-        {LightSums(lights), LightSums(held_out_.names.size()), std::vector<double>(lights)});
+    const Timed timed(out_.judge_seconds);
     residual_rows_.assign(residual_ ? band_.texels : 0, 0);
-    golden::for_each_tile(band_.texels, [&](std::size_t tile, std::size_t first, std::size_t n) {
-      judge_tile(first, n, sums[tile]);
-    });
-    for (const TileSums& one : sums) {
-      training_sums_.add(one.training);
-      held_out_sums_.add(one.held_out);
-      for (std::size_t i = 0; i < lights; ++i) loo_squares_[i] += one.leave_one_out[i];
-    }
+    judge_->add(band_, coef_, storage_.decode(bytes_), color_, residual_rows_);
     if (residual_) residual_->write(residual_rows_);
-  }
-
-  void judge_tile(std::size_t first, std::size_t count, TileSums& sums) {
-    const golden::MapKind kind = shape_.kind;
-    const auto coef = coef_of(first, count);
-    const auto color = color_of(first, count);
-    const std::vector<double> stored = storage_.decode(bytes_of(first, count));
-    std::vector<double> texels(residual_ ? count : 0);
-    const auto seen = band_.tile(first, count, 0);
-    golden::add_squares(seen, training_.directions, kind, coef, color, sums.training.real);
-    golden::add_squares(seen, training_.directions, kind, stored, color, sums.training.stored,
-                        texels);
-    if (!held_out_.names.empty()) {
-      const auto unseen = band_.tile(first, count, training_.names.size());
-      golden::add_squares(unseen, held_out_.directions, kind, coef, color, sums.held_out.real);
-      golden::add_squares(unseen, held_out_.directions, kind, stored, color, sums.held_out.stored);
-    }
-    if (job_.fit.robust_passes == 0) {
-      golden::add_leave_one_out(seen, out_.solver, kind, sums.leave_one_out);
-    }
-    const double samples = 3 * static_cast<double>(training_.names.size());
-    for (std::size_t t = 0; t < texels.size(); ++t) {
-      const double level = kResidualGain * std::sqrt(texels[t] / samples);
-      residual_rows_[first + t] = static_cast<std::uint8_t>(std::min(level + 0.5, 255.0));
-    }
-  }
-
-  [[nodiscard]] FitJudgement judgement(Capture& capture, const LightSums& sums) const {
-    FitJudgement result;
-    Squares real{}, stored{};
-    const auto texels = static_cast<double>(shape_.texels());
-    for (std::size_t i = 0; i < capture.names.size(); ++i) {
-      result.lights.push_back(golden::to_residual(sums.stored[i], texels));
-      for (std::size_t c = 0; c < 3; ++c) {
-        real[c] += sums.real[i][c];
-        stored[c] += sums.stored[i][c];
-      }
-    }
-    const double samples = texels * static_cast<double>(capture.names.size());
-    result.real = golden::to_residual(real, samples);
-    result.stored = golden::to_residual(stored, samples);
-    result.names = std::move(capture.names);
-    result.directions = std::move(capture.directions);
-    return result;
-  }
-
-  void finish() {
-    const bool held_out = !held_out_.names.empty();
-    out_.training = judgement(training_, training_sums_);
-    if (held_out) out_.held_out = judgement(held_out_, held_out_sums_);
-    if (job_.fit.robust_passes > 0) return;
-    const double samples = static_cast<double>(shape_.texels()) *
-                           static_cast<double>(golden::fitted_signals(shape_.kind).size());
-    double all = 0, count = 0;
-    for (std::size_t i = 0; i < loo_squares_.size(); ++i) {
-      out_.leave_one_out.emplace_back();
-      if (!golden::has_leave_one_out(out_.solver, i)) continue;
-      out_.leave_one_out.back() = std::sqrt(loo_squares_[i] / samples);
-      all += loo_squares_[i];
-      count += samples;
-    }
-    if (count > 0) out_.leave_one_out_rmse = std::sqrt(all / count);
   }
 
   const FitJob& job_;
@@ -344,8 +248,7 @@ class Runner {
   std::vector<double> sample_;
   golden::CoefficientRange range_;
   std::size_t stride_ = 1;
-  LightSums training_sums_{0}, held_out_sums_{0};
-  std::vector<double> loo_squares_;
+  std::optional<FitJudge> judge_;
   std::optional<golden::PictureRowWriter> residual_;
   std::vector<std::uint8_t> residual_rows_;
 };
