@@ -1,13 +1,14 @@
 #include "golden/files/light_positions.h"
 
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <optional>
 #include <sstream>
 #include <string_view>
 
+#include "golden/files/light_directions.h"
+#include "golden/files/number_text.h"
 #include "golden/files/whole_file.h"
 
 namespace ptm::golden {
@@ -16,9 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kBlanks = " \t\r\f\v";
-
-/// Directions are written with six digits or so; only a length further off is worth a note.
-constexpr double kUnitLength = 1e-3;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
@@ -32,21 +30,6 @@ std::string_view pop_field(std::string_view& text) {
   const std::string_view field = blank == std::string_view::npos ? text : text.substr(blank + 1);
   text = trimmed(blank == std::string_view::npos ? std::string_view{} : text.substr(0, blank));
   return field;
-}
-
-std::optional<double> number(std::string_view text) {
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::string fixed(double value) {
-  std::ostringstream out;
-  out << std::setprecision(4) << value;
-  return out.str();
 }
 
 class Reader {
@@ -92,14 +75,17 @@ class Reader {
     if (text.empty()) fail("'" + whole + "'", "a picture's name and three numbers");
     LitPicture lit;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = number(fields[i]);
+      const auto value = parse_real(fields[i]);
       if (!value) fail("coordinate '" + std::string(fields[i]) + "'", "a finite number");
       lit.direction[i] = *value;
     }
-    ++lights_;
     lit.line = line_;
     lit.picture = find_picture(std::string(text));
-    if (normalise(lit.direction)) result_.pictures.push_back(std::move(lit));
+    ++lights_;
+    if (directions_.take(lit.direction, path_.string(), "line " + std::to_string(line_),
+                         result_.notes)) {
+      result_.pictures.push_back(std::move(lit));
+    }
   }
 
   fs::path find_picture(std::string name) const {
@@ -112,31 +98,8 @@ class Reader {
     fail("no picture '" + name + "'", "an existing file beside the light positions");
   }
 
-  /// False if the light cannot light what the camera sees.
-  bool normalise(std::array<double, 3>& d) {
-    const double length = std::hypot(d[0], d[1], d[2]);
-    if (length == 0) fail("light (0, 0, 0)", "a direction");
-    if (!std::isfinite(length)) fail("a light of endless length", "a direction of length 1");
-    if (std::abs(length - 1) > kUnitLength) {
-      ++off_unit_;
-      shortest_ = std::min(shortest_, length);
-      longest_ = std::max(longest_, length);
-    }
-    for (double& c : d) c /= length;
-    if (d[2] < 0) {
-      result_.notes.push_back("line " + std::to_string(line_) +
-                              ": light below the horizon, left out");
-      return false;
-    }
-    return true;
-  }
-
   void finish() {
-    if (off_unit_ > 0) {
-      result_.notes.push_back(std::to_string(off_unit_) + " of " + std::to_string(lights_) +
-                              " lights were not of length 1 (" + fixed(shortest_) + " to " +
-                              fixed(longest_) + "), normalised");
-    }
+    directions_.finish(result_.notes);
     if (count_ && *count_ != lights_) {
       result_.notes.push_back("the first line says " + std::to_string(*count_) +
                               " lights, the file has " + std::to_string(lights_));
@@ -152,8 +115,8 @@ class Reader {
   int line_ = 0;
   int seen_ = 0;
   std::optional<std::size_t> count_;
-  std::size_t lights_ = 0, off_unit_ = 0;
-  double shortest_ = INFINITY, longest_ = 0;
+  std::size_t lights_ = 0;
+  LightDirections directions_;
 };
 
 }  // namespace

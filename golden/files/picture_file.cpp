@@ -1,7 +1,5 @@
 #include "golden/files/picture_file.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,46 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "golden/files/open_picture.h"
 #include "golden/files/whole_file.h"
 
 namespace ptm::golden {
 namespace {
-
-constexpr const char* a_picture = "a picture that OpenImageIO reads";
-
-/// The most pixels read from one picture, 16384 x 16384.
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-
-/// Deflate gives at most 1032 bytes a byte and baseline JPEG 1024; runs that claim more are lies.
-/// Small pictures of exotic codecs may pass: their memory does not matter.
-constexpr std::uint64_t largest_ratio = 1100;
-constexpr std::uint64_t unsuspicious_bytes = std::uint64_t{1} << 28;
-
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& place,
-                       std::string found, const std::string& expected) {
-  if (found.empty()) found = "an error without a message";
-  std::replace(found.begin(), found.end(), '\n', ' ');
-  throw InputError(path.string(), place, found, expected);
-}
-
-void check_spec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
-  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                           " x " + std::to_string(spec.nchannels);
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
-      spec.nchannels > 4) {
-    fail(path, "size", size, "a flat picture of 1 to 4 channels");
-  }
-  if (std::int64_t{spec.width} * spec.height > most_pixels) {
-    fail(path, "size", size, "at most " + std::to_string(most_pixels) + " pixels");
-  }
-  std::error_code error;
-  const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
-  const std::uint64_t bytes = spec.image_bytes(true);
-  if (!error && bytes > unsuspicious_bytes && bytes / largest_ratio > file_bytes) {
-    fail(path, "size", size + " in " + std::to_string(file_bytes) + " bytes",
-         "a file that can hold so many samples");
-  }
-}
 
 /// Reads all channels as Stored and hands them on as levels.
 template <class Stored>
@@ -60,10 +23,10 @@ std::vector<double> read_levels(const std::filesystem::path& path, OIIO::ImageIn
                              static_cast<std::size_t>(spec.height) *
                              static_cast<std::size_t>(spec.nchannels));
   if (!input.read_image(0, 0, 0, spec.nchannels, type, stored.data())) {
-    fail(path, "pixels", input.geterror(), a_picture);
+    fail_picture(path, "pixels", input.geterror(), kAPicture);
   }
   // A codec may warn, fill the rest with grey, and call that a success.
-  if (input.has_error()) fail(path, "pixels", input.geterror(), a_picture);
+  if (input.has_error()) fail_picture(path, "pixels", input.geterror(), kAPicture);
   std::vector<double> levels(stored.size());
   std::transform(stored.begin(), stored.end(), levels.begin(),
                  [unit](Stored sample) { return static_cast<double>(sample) * 255 / unit; });
@@ -84,19 +47,11 @@ std::vector<double> read_all_channels(const std::filesystem::path& path, OIIO::I
 }  // namespace
 
 ImageReal read_picture(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
-    fail(path, "file", "No such file or directory", a_picture);
-  }
-  OIIO::ImageSpec config;
-  config["oiio:UnassociatedAlpha"] = 1;  // colours as stored: alpha is dropped, not multiplied in
-  const auto input = OIIO::ImageInput::open(path.string(), &config);
-  if (!input) fail(path, "file", OIIO::geterror(), a_picture);
+  const auto input = open_picture(path);
   const OIIO::ImageSpec spec = input->spec();
-  check_spec(path, spec);
   const std::vector<double> levels = read_all_channels(path, *input);
   if (!std::all_of(levels.begin(), levels.end(), [](double v) { return std::isfinite(v); })) {
-    fail(path, "pixels", "infinite samples or NaN", "finite samples");
+    fail_picture(path, "pixels", "infinite samples or NaN", "finite samples");
   }
   ImageReal image(spec.width, spec.height, spec.nchannels < 3 ? 1 : 3);
   const auto channels = static_cast<std::size_t>(image.channels);
@@ -114,13 +69,13 @@ void write_picture(const std::filesystem::path& path, const Image8& image) {
   PendingFile pending(path);
   const std::string name = pending.path().string();
   const auto output = OIIO::ImageOutput::create(name);
-  if (!output) fail(path, "output", OIIO::geterror(), "an extension of a picture format");
+  if (!output) fail_picture(path, "output", OIIO::geterror(), "an extension of a picture format");
   // No date and no history: the same samples give the same bytes.
   const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
   const bool written = output->open(name, spec) &&
                        output->write_image(OIIO::TypeDesc::UINT8, image.samples.data()) &&
                        output->close();
-  if (!written) fail(path, "output", output->geterror(), "a picture that can be written");
+  if (!written) fail_picture(path, "output", output->geterror(), "a picture that can be written");
   pending.commit();
 }
 

@@ -1,26 +1,35 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "golden/files/image.h"
+#include "golden/files/light_positions.h"
+#include "golden/files/picture_rows.h"
 
 namespace ptm::golden {
 
-/// Photographs of one thing from one place, each under one light.
-struct Capture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::string> names;                 ///< one a photograph
-  std::vector<std::array<double, 3>> directions;  ///< unit vectors to the lights
-  std::vector<Image<float>> photographs;  ///< RGB in 8-bit levels; grey pictures have R = G = B
-  std::vector<std::string> notes;         ///< what was odd about the input, said to the user
+struct CaptureRequest {
+  std::filesystem::path source;  ///< a .lp file, or with `lights` a folder of pictures
+  std::filesystem::path lights;  ///< a light table; with `univariate` one number a picture
+  bool univariate = false;
+  bool linear = false;           ///< integer samples are sRGB and are decoded to linear light
+  std::optional<Region> region;  ///< the part to fit; all of it without
 };
 
-/// Reads a .lp file and its photographs, as many at once as there are cores.
-/// Throws InputError: what read_light_positions() and read_picture() throw, and photographs of
-/// different sizes (the .lp file's line is named), and samples that are not finite.
-[[nodiscard]] Capture read_capture(const std::filesystem::path& lp);
+/// Photographs of one thing from one place, each under one light; their pixels are still on disk.
+struct Capture {
+  Region region;                                  ///< the part of every photograph that counts
+  std::vector<std::string> names;                 ///< one a photograph
+  std::vector<std::array<double, 3>> directions;  ///< unit vectors to the lights, or (u, 0, 0)
+  std::vector<PictureRows> photographs;
+  std::vector<std::string> notes;  ///< what was odd about the input, said to the user
+};
+
+/// Reads the list of lights and the headers of all photographs.
+/// Throws InputError: what read_light_positions(), read_light_table() and PictureRows throw,
+/// photographs of different sizes (the line of the list is named), a region outside them.
+[[nodiscard]] Capture open_capture(const CaptureRequest& request);
 
 }  // namespace ptm::golden

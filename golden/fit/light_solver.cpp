@@ -29,6 +29,9 @@ LightSolver solve_lights(std::span<const std::array<double, 3>> directions) {
     solver.condition = largest / value;
     ++solver.rank;
   }
+  solver.subspace = svd.matrixV().leftCols(solver.rank);
+  solver.leverage = svd.matrixU().leftCols(solver.rank).rowwise().squaredNorm();
+  solver.design = design;
   solver.inverse = svd.matrixV() * reciprocal.asDiagonal() * svd.matrixU().transpose();
   return solver;
 }

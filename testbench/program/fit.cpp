@@ -1,154 +1,245 @@
 // ptmsim fit: photographs under known lights become a map that the hardware holds as it stands.
-#include <chrono>
+#include <charconv>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "golden/files/ptm_file.h"
-#include "golden/fit/fit_report.h"
+#include "golden/files/whole_file.h"
 #include "testbench/program/commands.h"
-#include "testbench/run/hardware_map.h"
+#include "testbench/program/exit_code.h"
+#include "testbench/program/fit_job.h"
+#include "testbench/program/progress.h"
 
 namespace ptm::testbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
 
-struct FitOptions {
-  std::string capture, out;
-  std::string format = "lrgb", preset = "base", method = "nearest_plane";
+struct FitArguments {
+  FitJob job;
+  std::string format = "lrgb", color = "least-squares", preset = "base", region, table;
+  std::size_t memory_mib = 256;
   bool json = false;
 };
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+/// X,Y,W,H
+golden::Region parse_region(const std::string& text) {
+  std::array<int, 4> numbers{};
+  const char *at = text.data(), *end = at + text.size();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto [stop, error] = std::from_chars(at, end, numbers[i]);
+    const bool separated = i < 3 ? stop != end && *stop == ',' : stop == end;
+    if (error != std::errc{} || !separated) {
+      throw CLI::ValidationError("--region", "'" + text + "' is not X,Y,W,H in pixels");
+    }
+    at = stop + 1;
+  }
+  return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+FitJob make_job(const FitArguments& arguments) {
+  FitJob job = arguments.job;
+  using golden::MapKind;
+  job.fit.kind = arguments.format == "rgb"   ? MapKind::rgb
+                 : arguments.format == "lum" ? MapKind::lum
+                                             : MapKind::lrgb;
+  job.fit.color =
+      arguments.color == "average" ? golden::ColorRule::average : golden::ColorRule::least_squares;
+  job.fit.truncate_color = job.quantizer == "hp";
+  job.config = reference::find_preset(arguments.preset).config;
+  job.memory = arguments.memory_mib << 20;
+  if (!arguments.region.empty()) job.capture.region = parse_region(arguments.region);
+  if (job.config.coef_bits > 8) {
+    throw ExitError(ExitCode::usage, "preset " + arguments.preset + " has coefficients of " +
+                                         std::to_string(job.config.coef_bits) +
+                                         " bits, a .ptm file holds 8");
+  }
+  return job;
 }
 
 Json describe(const golden::Residual& residual) {
   return {{"rmse", residual.rmse},
           {"psnr_db", residual.psnr_db},
-          {"channel_rmse", residual.channel_rmse}};
+          {"channel_rmse", residual.channel_rmse},
+          {"channel_psnr_db", residual.channel_psnr_db}};
 }
 
-Json describe_lights(const golden::Capture& capture, const golden::FitReport& report) {
+Json describe_lights(const FitJudgement& judgement) {
   Json lights = Json::array();
-  for (std::size_t i = 0; i < capture.names.size(); ++i) {
-    lights.push_back({{"picture", capture.names[i]},
-                      {"light", capture.directions[i]},
-                      {"rmse", report.lights[i].rmse},
-                      {"psnr_db", report.lights[i].psnr_db}});
+  for (std::size_t i = 0; i < judgement.names.size(); ++i) {
+    Json light = {{"picture", judgement.names[i]}, {"light", judgement.directions[i]}};
+    light.update(describe(judgement.lights[i]));
+    lights.push_back(std::move(light));
   }
   return lights;
 }
 
-void describe_solver(const golden::LightSolver& solver, std::size_t lights, Json& out) {
-  out["rank"] = solver.rank;
-  out["condition"] = solver.condition;
-  out["singular_values"] = std::vector<double>(
-      solver.singular_values.data(), solver.singular_values.data() + solver.singular_values.size());
-  if (solver.rank < 6) {
-    out["notes"].push_back("the " + std::to_string(lights) + " lights determine " +
-                           std::to_string(solver.rank) +
-                           " of 6 coefficients; the smallest polynomials that fit were taken");
+Json optional_number(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+void describe_quality(const FitOutcome& outcome, Json& out) {
+  out["real_fit"] = describe(outcome.training.real);
+  out["stored_fit"] = describe(outcome.training.stored);
+  out["lights"] = describe_lights(outcome.training);
+  for (std::size_t i = 0; i < outcome.leave_one_out.size(); ++i) {
+    out["lights"][i]["leave_one_out_rmse"] = optional_number(outcome.leave_one_out[i]);
   }
+  out["leave_one_out_rmse"] = optional_number(outcome.leave_one_out_rmse);
+  if (!outcome.held_out) return;
+  out["held_out"] = {{"real_fit", describe(outcome.held_out->real)},
+                     {"stored_fit", describe(outcome.held_out->stored)},
+                     {"lights", describe_lights(*outcome.held_out)}};
 }
 
-void describe_stored(const quantize::StoredMap& stored, const FitOptions& options, Json& out) {
-  out["preset"] = options.preset;
-  out["method"] = options.method;
-  out["shift"] = stored.shift;
-  out["bias"] = stored.bias;
-  out["saturated"] = stored.saturated;
-  out["quantization_rms"] = stored.rms_error;
-}
-
-/// Reads, fits, stores, judges and writes; what there is to say about it.
-Json fit(const FitOptions& options) {
+Json to_json(const FitArguments& arguments, const FitJob& job, const FitOutcome& outcome) {
   Json out;
-  auto start = Clock::now();
-  const golden::Capture capture = golden::read_capture(options.capture);
-  const double read_seconds = seconds_since(start);
-  out["capture"] = options.capture;
-  out["map"] = options.out;
-  out["format"] = options.format;
-  out["width"] = capture.width;
-  out["height"] = capture.height;
-  out["photographs"] = capture.photographs.size();
-  out["notes"] = capture.notes;
-
-  start = Clock::now();
-  const golden::LightSolver solver = golden::solve_lights(capture.directions);
-  const golden::LrgbFit real = golden::fit_lrgb(capture, solver);
-  const double fit_seconds = seconds_since(start);
-  describe_solver(solver, capture.photographs.size(), out);
-
-  start = Clock::now();
-  const quantize::Method method =
-      options.method == "plain" ? quantize::Method::plain : quantize::Method::nearest_plane;
-  const quantize::StoredMap stored = quantize::quantize(
-      {.width = real.width, .height = real.height, .polynomials = 1, .coef = real.coef},
-      reference::find_preset(options.preset).config, method, quantize::hemisphere_gram());
-  const double quantize_seconds = seconds_since(start);
-  describe_stored(stored, options, out);
-
-  const golden::FitReport report =
-      golden::compare_lrgb(capture, quantize::dequantize(stored), real.color);
-  out["real_fit"] = describe(golden::compare_lrgb(capture, real.coef, real.color).all);
-  out["stored_fit"] = describe(report.all);
-  out["lights"] = describe_lights(capture, report);
-  out["seconds"] = {{"read", read_seconds}, {"fit", fit_seconds}, {"quantize", quantize_seconds}};
-  const auto notes =
-      golden::write_ptm(options.out, to_ptm(stored, golden::MapKind::lrgb, real.color));
-  for (const std::string& note : notes) out["notes"].push_back(note);
+  out["capture"] = job.capture.source.string();
+  out["map"] = job.out.string();
+  out["format"] = arguments.format;
+  out["linear"] = job.capture.linear;
+  out["width"] = outcome.width;
+  out["height"] = outcome.height;
+  out["photographs"] = outcome.training.names.size();
+  out["bands"] = outcome.bands;
+  out["notes"] = outcome.notes;
+  out["rank"] = outcome.solver.rank;
+  out["condition"] = outcome.solver.condition;
+  const auto& values = outcome.solver.singular_values;
+  out["singular_values"] = std::vector<double>(values.data(), values.data() + values.size());
+  out["saturated_samples"] = outcome.saturated_samples;
+  out["black_texels"] = outcome.black_texels;
+  out["preset"] = arguments.preset;
+  out["method"] = job.quantizer;
+  out["scale"] = outcome.scale;
+  if (outcome.shift) out["shift"] = *outcome.shift;
+  out["bias"] = outcome.bias;
+  out["saturated"] = outcome.loss.saturated;
+  out["quantization_rms"] = outcome.loss.rms();
+  describe_quality(outcome, out);
+  out["seconds"] = {{"read", outcome.read_seconds},
+                    {"fit", outcome.fit_seconds},
+                    {"quantize", outcome.quantize_seconds},
+                    {"judge", outcome.judge_seconds}};
   return out;
+}
+
+void print_residual(const char* title, const Json& r) {
+  std::cout << title << r["rmse"] << " levels RMSE, " << r["psnr_db"] << " dB, channels "
+            << r["channel_rmse"].dump() << '\n';
 }
 
 void print_text(const Json& out) {
   for (const auto& note : out["notes"]) std::cout << "note: " << note.get<std::string>() << '\n';
   std::cout << out["photographs"] << " photographs of " << out["width"] << " x " << out["height"]
-            << " pixels, rank " << out["rank"] << ", condition " << out["condition"] << '\n';
-  const auto residual = [&](const char* title, const Json& r) {
-    std::cout << title << r["rmse"] << " levels RMSE, " << r["psnr_db"] << " dB\n";
-  };
-  residual("against the photographs, real-valued: ", out["real_fit"]);
-  residual("against the photographs, as stored:   ", out["stored_fit"]);
+            << " pixels, rank " << out["rank"] << ", condition " << out["condition"] << '\n'
+            << out["saturated_samples"] << " saturated samples, " << out["black_texels"]
+            << " texels black in every photograph\n";
+  print_residual("against the photographs, real-valued: ", out["real_fit"]);
+  print_residual("against the photographs, as stored:   ", out["stored_fit"]);
+  if (out.contains("held_out")) {
+    print_residual("held-out photographs, real-valued:    ", out["held_out"]["real_fit"]);
+    print_residual("held-out photographs, as stored:      ", out["held_out"]["stored_fit"]);
+  }
+  if (!out["leave_one_out_rmse"].is_null()) {
+    std::cout << "leave-one-out, of what is fitted:     " << out["leave_one_out_rmse"]
+              << " levels RMSE\n";
+  }
   std::cout << "stored by " << out["method"].get<std::string>() << " for "
-            << out["preset"].get<std::string>() << ": shift " << out["shift"].dump() << ", bias "
+            << out["preset"].get<std::string>() << ": scale " << out["scale"].dump() << ", bias "
             << out["bias"].dump() << ", saturated " << out["saturated"].dump() << ", "
             << out["quantization_rms"] << " levels RMS\n"
             << "map: " << out["map"].get<std::string>() << '\n';
 }
 
-}  // namespace
+void run(const FitArguments& arguments) {
+  const FitJob job = make_job(arguments);
+  std::optional<golden::PendingFile> table;
+  if (!arguments.table.empty()) table.emplace(arguments.table);
+  std::unique_ptr<Progress> progress;
+  const FitOutcome outcome = run_fit(job, [&](std::size_t, std::size_t total) {
+    if (!progress) progress = std::make_unique<Progress>("fit", total);
+    progress->step();
+  });
+  progress.reset();
+  const Json out = to_json(arguments, job, outcome);
+  const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (table) {
+    table->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    table->commit();
+  }
+  if (arguments.json) {
+    std::cout << text;
+  } else {
+    print_text(out);
+  }
+}
 
-void add_fit_command(CLI::App& app) {
-  const auto options = std::make_shared<FitOptions>();
-  CLI::App* command = app.add_subcommand("fit", "Photographs under known lights to a map");
-  command->add_option("CAPTURE", options->capture, "light positions (.lp) beside photographs")
+void add_input_options(CLI::App& command, FitArguments& a) {
+  command
+      .add_option("CAPTURE", a.job.capture.source,
+                  "light positions (.lp) beside photographs; with --lights a folder of pictures")
       ->required();
-  command->add_option("--out", options->out, "the map to write (.ptm)")->required();
-  command->add_option("--format", options->format, "kind of map")
-      ->check(CLI::IsMember({"lrgb"}))
+  auto* lights = command.add_option("--lights", a.job.capture.lights,
+                                    "table of light directions, N x 3 or 3 x N, one a picture of "
+                                    "the folder in order of their names");
+  command
+      .add_flag("--univariate", a.job.capture.univariate,
+                "one parameter (focus, time): --lights holds one number a picture")
+      ->needs(lights);
+  command.add_option("--region", a.region, "X,Y,W,H: fit this part only, in pixels from top left");
+  command.add_flag("--linear", a.job.capture.linear,
+                   "decode sRGB and fit linear light (default: values as they are stored)");
+  auto* hold_out = command
+                       .add_option("--hold-out", a.job.hold_out,
+                                   "keep every N-th photograph for judging, do not fit it")
+                       ->check(CLI::Range(2, 1000000));
+  command.add_option("--test", a.job.test, "light positions (.lp) of photographs to judge by")
+      ->excludes(hold_out);
+}
+
+void add_fit_options(CLI::App& command, FitArguments& a) {
+  command.add_option("--format", a.format, "kind of map")
+      ->check(CLI::IsMember({"lrgb", "rgb", "lum"}))
+      ->capture_default_str();
+  command.add_option("--color", a.color, "how an LRGB map's colour is found")
+      ->check(CLI::IsMember({"least-squares", "average"}))
+      ->capture_default_str();
+  command
+      .add_option("--robust", a.job.fit.robust_passes,
+                  "reweighted passes against highlights and shadows")
+      ->check(CLI::Range(0, 100))
       ->capture_default_str();
   std::vector<std::string> presets;
   for (const reference::Preset& preset : reference::kPresets) presets.emplace_back(preset.name);
-  command->add_option("--preset", options->preset, "hardware that is to hold the map")
+  command.add_option("--preset", a.preset, "hardware that is to hold the map")
       ->check(CLI::IsMember(presets))
       ->capture_default_str();
-  command->add_option("--method", options->method, "how coefficients are rounded")
-      ->check(CLI::IsMember({"nearest_plane", "plain"}))
+  command
+      .add_option("--quantizer,--method", a.job.quantizer,
+                  "how coefficients are rounded; hp: as HP's fitter did")
+      ->check(CLI::IsMember({"nearest_plane", "plain", "hp"}))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "print JSON");
-  command->callback([options] {
-    const Json out = fit(*options);
-    if (options->json) {
-      std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    } else {
-      print_text(out);
-    }
-  });
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app) {
+  const auto arguments = std::make_shared<FitArguments>();
+  CLI::App* command = app.add_subcommand("fit", "Photographs under known lights to a map");
+  add_input_options(*command, *arguments);
+  command->add_option("--out", arguments->job.out, "the map to write (.ptm)")->required();
+  add_fit_options(*command, *arguments);
+  command->add_option("--residual", arguments->job.residual,
+                      "write a picture of each texel's RMS residual, times 4");
+  command->add_option("--table", arguments->table, "write what --json prints to this file");
+  command->add_option("--memory", arguments->memory_mib, "MiB of photographs held at once")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "print JSON");
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace ptm::testbench

@@ -1,5 +1,13 @@
+// What open_capture() and PhotoBands make of files, as the fit sees it.
 #include "golden/fit/capture.h"
 
+#include <OpenImageIO/imageio.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "golden/files/picture_row_writer.h"
+#include "golden/fit/photo_bands.h"
 #include "tests/fit/scratch_folder.h"
 
 namespace ptm::golden {
@@ -7,52 +15,189 @@ namespace {
 
 using tests::ScratchFolder;
 
-std::string error_of(const std::filesystem::path& lp) {
+std::string error_of(const CaptureRequest& request) {
   try {
-    (void)read_capture(lp);
+    Capture capture = open_capture(request);
+    Capture* const one[] = {&capture};
+    PhotoBands bands(one, 1 << 20);
+    Band band;
+    bands.read(0, band);
   } catch (const InputError& error) {
     return error.what();
   }
   return "no error";
 }
 
-TEST(ReadCapture, KeepsOrderAndLevelsOfThePhotographs) {
+CaptureRequest request(const std::filesystem::path& lp) {
+  CaptureRequest made;
+  made.source = lp;
+  return made;
+}
+
+/// All samples of a capture, [photograph][channel][texel], read in bands of one row.
+std::vector<float> samples_of(const CaptureRequest& asked, SampleCounts* counts = nullptr) {
+  Capture capture = open_capture(asked);
+  Capture* const one[] = {&capture};
+  PhotoBands bands(one, 1);
+  const auto texels = static_cast<std::size_t>(capture.region.width * capture.region.height);
+  const auto width = static_cast<std::size_t>(capture.region.width);
+  std::vector<float> samples(capture.names.size() * 3 * texels);
+  Band band;
+  for (int b = 0; b < bands.bands(); ++b) {
+    bands.read(b, band);
+    for (std::size_t p = 0; p < capture.names.size() * 3; ++p) {
+      std::copy_n(
+          band.samples.begin() + static_cast<std::ptrdiff_t>(p * band.texels), band.texels,
+          samples.begin() + static_cast<std::ptrdiff_t>(
+                                p * texels + static_cast<std::size_t>(band.first_row) * width));
+    }
+  }
+  if (counts != nullptr) *counts = bands.counts();
+  return samples;
+}
+
+/// A grey float picture, little endian (Portable Float Map, rows bottom-up).
+void write_pfm(const std::filesystem::path& path, int width, int height,
+               const std::vector<float>& samples) {
+  std::ofstream out(path, std::ios::binary);
+  out << "Pf\n" << width << ' ' << height << "\n-1.0\n";
+  out.write(reinterpret_cast<const char*>(samples.data()),
+            static_cast<std::streamsize>(samples.size() * sizeof(float)));
+}
+
+TEST(Capture, KeepsOrderAndLevelsOfThePhotographs) {
   const ScratchFolder folder;
   folder.picture("a.png", 4, 3, 10);
   folder.picture("b.png", 4, 3, 200);
-  const Capture capture = read_capture(folder.write("c.lp", "b.png 0 0 1\na.png 0.6 0 0.8\n"));
-  EXPECT_EQ(capture.width, 4);
-  EXPECT_EQ(capture.height, 3);
+  const auto lp = folder.write("c.lp", "b.png 0 0 1\na.png 0.6 0 0.8\n");
+  const Capture capture = open_capture(request(lp));
+  EXPECT_EQ(capture.region.width, 4);
+  EXPECT_EQ(capture.region.height, 3);
   EXPECT_EQ(capture.names, (std::vector<std::string>{"b.png", "a.png"}));
-  EXPECT_EQ(capture.photographs[0].samples, std::vector<float>(36, 200));
-  EXPECT_EQ(capture.photographs[1].samples, std::vector<float>(36, 10));
   EXPECT_EQ(capture.directions[1][0], 0.6);
+  std::vector<float> expected(36, 200);
+  expected.resize(72, 10);
+  EXPECT_EQ(samples_of(request(lp)), expected);
 }
 
-TEST(ReadCapture, TurnsGreyPhotographsIntoThreeEqualChannels) {
+TEST(Capture, TurnsGreyPhotographsIntoThreeEqualChannels) {
   const ScratchFolder folder;
   Image8 grey(2, 1, 1);
   grey.samples = {7, 9};
   write_picture(folder / "g.png", grey);
-  const Capture capture = read_capture(folder.write("c.lp", "g.png 0 0 1\n"));
-  EXPECT_EQ(capture.photographs[0].samples, (std::vector<float>{7, 7, 7, 9, 9, 9}));
+  EXPECT_EQ(samples_of(request(folder.write("c.lp", "g.png 0 0 1\n"))),
+            (std::vector<float>{7, 9, 7, 9, 7, 9}));
 }
 
-TEST(ReadCapture, NamesTheLineOfAPhotographOfAnotherSize) {
+TEST(Capture, ReadsSixteenBitAndFloatPictures) {
+  const ScratchFolder folder;
+  const std::array<std::uint16_t, 2> wide{257, 65535};
+  const auto output = OIIO::ImageOutput::create("w.png");
+  ASSERT_TRUE(
+      output->open((folder / "w.png").string(), OIIO::ImageSpec(2, 1, 1, OIIO::TypeDesc::UINT16)));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT16, wide.data()) && output->close());
+  SampleCounts counts;
+  EXPECT_EQ(samples_of(request(folder.write("w.lp", "w.png 0 0 1\n")), &counts),
+            (std::vector<float>{1, 255, 1, 255, 1, 255}));
+  EXPECT_EQ(counts.saturated, 3U);
+  write_pfm(folder / "f.pfm", 3, 1, {0.5F, 2, -1});
+  EXPECT_EQ(samples_of(request(folder.write("f.lp", "f.pfm 0 0 1\n")), &counts),
+            (std::vector<float>{127.5F, 510, 0, 127.5F, 510, 0, 127.5F, 510, 0}));
+  EXPECT_EQ(counts.saturated, 3U);
+  EXPECT_EQ(counts.negative, 3U);
+}
+
+TEST(Capture, DecodesSrgbWhenLinearLightIsAskedFor) {
+  const ScratchFolder folder;
+  Image8 grey(3, 1, 1);
+  grey.samples = {0, 188, 255};
+  write_picture(folder / "g.png", grey);
+  CaptureRequest linear = request(folder.write("c.lp", "g.png 0 0 1\n"));
+  linear.linear = true;
+  const std::vector<float> samples = samples_of(linear);
+  EXPECT_EQ(samples[0], 0);
+  EXPECT_NEAR(samples[1], 255 * 0.502886, 1e-3);  // sRGB 188 is half the light
+  EXPECT_EQ(samples[2], 255);
+}
+
+TEST(Capture, CropsToARegionAndReadsItRowByRow) {
+  const ScratchFolder folder;
+  Image8 picture(5, 4, 3);
+  for (std::size_t n = 0; n < picture.samples.size(); ++n) {
+    picture.samples[n] = static_cast<std::uint8_t>(n);
+  }
+  write_picture(folder / "p.png", picture);
+  CaptureRequest part = request(folder.write("c.lp", "p.png 0 0 1\n"));
+  part.region = Region{1, 1, 3, 2};
+  std::vector<float> expected;
+  for (int c = 0; c < 3; ++c) {
+    for (int y = 1; y < 3; ++y) {
+      for (int x = 1; x < 4; ++x) expected.push_back(picture.at(x, y, c));
+    }
+  }
+  EXPECT_EQ(samples_of(part), expected);
+  for (const Region r : {Region{0, 0, 6, 1}, Region{-1, 0, 2, 2}, Region{4, 3, 1, 2},
+                         Region{0, 0, 0, 1}, Region{2147483647, 0, 2, 1}}) {
+    part.region = r;
+    EXPECT_NE(error_of(part).find("within 5 x 4 pixels"), std::string::npos);
+  }
+}
+
+TEST(Capture, ReadsJpegsByRowsAsItReadsThemWhole) {
+  const ScratchFolder folder;
+  PictureRowWriter writer(folder / "p.jpg", 37, 50, 3);
+  std::vector<std::uint8_t> samples(37 * 50 * 3);
+  for (std::size_t n = 0; n < samples.size(); ++n) {
+    samples[n] = static_cast<std::uint8_t>(n * n / 7 % 251);
+  }
+  writer.write(std::span(samples).first(37 * 3 * 20));
+  writer.write(std::span(samples).subspan(37 * 3 * 20));
+  writer.commit();
+  const ImageReal whole = read_picture(folder / "p.jpg");
+  const std::vector<float> rows = samples_of(request(folder.write("c.lp", "p.jpg 0 0 1\n")));
+  for (std::size_t n = 0; n < whole.samples.size(); ++n) {
+    ASSERT_EQ(rows[n % 3 * (37 * 50) + n / 3], whole.samples[n]) << n;
+  }
+  EXPECT_TRUE(PictureRows(folder / "p.jpg", false).streams());
+}
+
+TEST(Capture, NamesTheLineOfAPhotographOfAnotherSize) {
   const ScratchFolder folder;
   folder.picture("a.png", 4, 3);
   folder.picture("b.png", 3, 4);
-  const std::string error = error_of(folder.write("c.lp", "2\na.png 0 0 1\nb.png 0.6 0 0.8\n"));
+  const std::string error =
+      error_of(request(folder.write("c.lp", "2\na.png 0 0 1\nb.png 0.6 0 0.8\n")));
   EXPECT_NE(error.find("line 3: found b.png of 3 x 4 pixels, expected 4 x 3"), std::string::npos)
       << error;
 }
 
-TEST(ReadCapture, NamesThePhotographThatIsNoPicture) {
+TEST(Capture, NamesThePhotographThatIsNoPictureOrEndsEarlyOrHoldsNoLight) {
+  const ScratchFolder folder;
+  folder.picture("a.png", 64, 64);
+  folder.write("text.png", "this is no picture");
+  PictureRowWriter writer(folder / "whole.jpg", 64, 64, 3);
+  std::vector<std::uint8_t> samples(64 * 64 * 3);
+  for (std::size_t n = 0; n < samples.size(); ++n) samples[n] = static_cast<std::uint8_t>(n * 37);
+  writer.write(samples);
+  writer.commit();
+  std::ifstream in(folder / "whole.jpg", std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  folder.write("half.jpg", bytes.substr(0, bytes.size() / 2));
+  write_pfm(folder / "nan.pfm", 64, 64, std::vector<float>(64 * 64, NAN));
+  for (const char* bad : {"text.png", "half.jpg", "nan.pfm"}) {
+    const auto lp = folder.write("c.lp", std::string("a.png 0 0 1\n") + bad + " 0.6 0 0.8\n");
+    EXPECT_NE(error_of(request(lp)).find(bad), std::string::npos) << bad;
+  }
+}
+
+TEST(Capture, WantsAFolderWithATableAndATableWithAFolder) {
   const ScratchFolder folder;
   folder.picture("a.png");
-  folder.write("b.png", "this is no picture");
-  EXPECT_NE(error_of(folder.write("c.lp", "a.png 0 0 1\nb.png 0.6 0 0.8\n")).find("b.png"),
-            std::string::npos);
+  CaptureRequest asked = request(folder / "");
+  EXPECT_NE(error_of(asked).find("--lights TABLE"), std::string::npos);
+  asked.source = folder.write("c.lp", "a.png 0 0 1\n");
+  asked.lights = folder.write("t.txt", "0 0 1\n");
+  EXPECT_NE(error_of(asked).find("found no folder"), std::string::npos);
 }
 
 }  // namespace

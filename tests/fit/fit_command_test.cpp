@@ -1,53 +1,29 @@
 // The commands synthesize and fit, run as a user runs them.
-#include <sys/wait.h>
-
 #include <cmath>
-#include <cstdlib>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "golden/files/ptm_file.h"
 #include "testbench/run/hardware_map.h"
 #include "tests/fit/scratch_folder.h"
-#include "tests/shared_data.h"
+#include "tests/run_program.h"
 
 namespace ptm::testbench {
 namespace {
 
 using tests::ScratchFolder;
 
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
+using tests::Outcome;
+using tests::quoted;
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+class FitCommand : public tests::Program {};
+class SynthesizeCommand : public tests::Program {};
 
-std::string quoted(const std::filesystem::path& path) {
-  std::string text(1, '\'');
-  text.append(path.string()).push_back('\'');
-  return text;
-}
-
-Outcome run(const ScratchFolder& folder, const std::string& arguments) {
-  const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
-  std::string command = quoted(PTM_PROGRAM);
-  command.append(" ").append(arguments);
-  command.append(" >").append(quoted(out)).append(" 2>").append(quoted(err));
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
-}
-
-TEST(FitCommand, MakesAMapOfASynthesizedCaptureThatTheHardwareTakesVerbatim) {
+TEST_F(FitCommand, MakesAMapOfASynthesizedCaptureThatTheHardwareTakesVerbatim) {
   const ScratchFolder folder;
-  const Outcome made =
-      run(folder, "synthesize --size 64 --lights 20 --out " + quoted(folder / "capture"));
+  const Outcome made = run("synthesize --size 64 --lights 20 --out " + quoted(folder / "capture"));
   ASSERT_EQ(made.code, 0) << made.err;
-  const Outcome fitted = run(folder, "fit " + quoted(folder / "capture/capture.lp") +
-                                         " --json --out " + quoted(folder / "map.ptm"));
+  const Outcome fitted = run("fit " + quoted(folder / "capture/capture.lp") + " --json --out " +
+                             quoted(folder / "map.ptm"));
   ASSERT_EQ(fitted.code, 0) << fitted.err;
   const auto json = nlohmann::json::parse(fitted.out);
   EXPECT_EQ(json.at("photographs"), 20);
@@ -64,31 +40,31 @@ TEST(FitCommand, MakesAMapOfASynthesizedCaptureThatTheHardwareTakesVerbatim) {
   EXPECT_EQ(nlohmann::json(hardware.texture.bias), json.at("bias"));
 }
 
-TEST(FitCommand, NearestPlaneBeatsPlainAgainstTheRealFit) {
+TEST_F(FitCommand, NearestPlaneBeatsPlainAgainstTheRealFit) {
   const ScratchFolder folder;
-  ASSERT_EQ(run(folder, "synthesize --size 64 --lights 20 --out " + quoted(folder / "c")).code, 0);
+  ASSERT_EQ(run("synthesize --size 64 --lights 20 --out " + quoted(folder / "c")).code, 0);
   double rms[2] = {};
   for (const int nearest : {0, 1}) {
-    const Outcome fitted = run(folder, "fit " + quoted(folder / "c/capture.lp") + " --json --out " +
-                                           quoted(folder / "map.ptm") + " --method " +
-                                           (nearest == 1 ? "nearest_plane" : "plain"));
+    const Outcome fitted =
+        run("fit " + quoted(folder / "c/capture.lp") + " --json --out " +
+            quoted(folder / "map.ptm") + " --method " + (nearest == 1 ? "nearest_plane" : "plain"));
     ASSERT_EQ(fitted.code, 0) << fitted.err;
     rms[nearest] = nlohmann::json::parse(fitted.out).at("quantization_rms");
   }
   EXPECT_LT(rms[1], 0.9 * rms[0]);
 }
 
-TEST(FitCommand, SaysSoWhenTheLightsLeaveThePolynomialOpen) {
+TEST_F(FitCommand, SaysSoWhenTheLightsLeaveThePolynomialOpen) {
   const ScratchFolder folder;
   folder.picture("a.png");
   folder.picture("b.png", 4, 3, 50);
   const auto lp = folder.write("c.lp", "a.png 0 0 1\nb.png 0.6 0 0.8\n");
-  const Outcome fitted = run(folder, "fit " + quoted(lp) + " --out " + quoted(folder / "m.ptm"));
+  const Outcome fitted = run("fit " + quoted(lp) + " --out " + quoted(folder / "m.ptm"));
   EXPECT_EQ(fitted.code, 0) << fitted.err;
   EXPECT_NE(fitted.out.find("the 2 lights determine 2 of 6 coefficients"), std::string::npos);
 }
 
-TEST(FitCommand, EndsWithCode3AndWritesNothingOnBadInput) {
+TEST_F(FitCommand, EndsWithCode3AndWritesNothingOnBadInput) {
   const ScratchFolder folder;
   folder.picture("a.png", 4, 3);
   folder.picture("b.png", 5, 3);
@@ -103,43 +79,28 @@ TEST(FitCommand, EndsWithCode3AndWritesNothingOnBadInput) {
   };
   for (const auto& [text, message] : cases) {
     const auto lp = folder.write("c.lp", text);
-    const Outcome outcome = run(folder, "fit " + quoted(lp) + " --out " + quoted(folder / "m.ptm"));
+    const Outcome outcome = run("fit " + quoted(lp) + " --out " + quoted(folder / "m.ptm"));
     EXPECT_EQ(outcome.code, 3) << text;
     EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "m.ptm"));
   }
   const auto lp = folder.write("c.lp", "a.png 0 0 1\n");
-  EXPECT_EQ(run(folder, "fit " + quoted(lp) + " --out " + quoted(folder / "none/m.ptm")).code, 3);
-  EXPECT_EQ(run(folder, "fit " + quoted(folder / "none.lp") + " --out x.ptm").code, 3);
+  EXPECT_EQ(run("fit " + quoted(lp) + " --out " + quoted(folder / "none/m.ptm")).code, 3);
+  EXPECT_EQ(run("fit " + quoted(folder / "none.lp") + " --out x.ptm").code, 3);
 }
 
-TEST(FitCommand, EndsWithCode2OnWrongUsage) {
-  const ScratchFolder folder;
+TEST_F(FitCommand, EndsWithCode2OnWrongUsage) {
   for (const char* arguments : {"fit", "fit a.lp", "fit a.lp --out m.ptm --preset none",
                                 "fit a.lp --out m.ptm --method best", "synthesize",
                                 "synthesize --out x --size 3", "synthesize --out x --lights 0"}) {
-    EXPECT_EQ(run(folder, arguments).code, 2) << arguments;
+    EXPECT_EQ(run(arguments).code, 2) << arguments;
   }
 }
 
-TEST(FitCommand, LosesLessThanATenthOfADecibelToStorageOnRealCaptures) {
-  const ScratchFolder folder;
-  for (const char* name : {"icon/dirs.lp", "dome/Dome/dirs.lp"}) {
-    PTM_SHARED_DATA_OR_SKIP(lp, name);
-    const Outcome fitted =
-        run(folder, "fit " + quoted(lp) + " --json --out " + quoted(folder / "map.ptm"));
-    ASSERT_EQ(fitted.code, 0) << fitted.err;
-    const auto json = nlohmann::json::parse(fitted.out);
-    EXPECT_NEAR(json.at("stored_fit").at("psnr_db").get<double>(),
-                json.at("real_fit").at("psnr_db").get<double>(), 0.1)
-        << name;
-  }
-}
-
-TEST(SynthesizeCommand, RefusesAFolderThatIsAFile) {
+TEST_F(SynthesizeCommand, RefusesAFolderThatIsAFile) {
   const ScratchFolder folder;
   const auto file = folder.write("taken", "text");
-  const Outcome outcome = run(folder, "synthesize --out " + quoted(file));
+  const Outcome outcome = run("synthesize --out " + quoted(file));
   EXPECT_EQ(outcome.code, 3);
   EXPECT_NE(outcome.err.find("taken"), std::string::npos);
 }

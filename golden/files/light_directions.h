@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace ptm::golden {
+
+/// Makes unit vectors of the directions of a list of lights, and remembers what was odd.
+class LightDirections {
+ public:
+  /// False if the light stands below the horizon (z < 0); the note says so and it is to be left
+  /// out. Throws InputError (`file`, `place`) for (0, 0, 0) and for a length beyond any number.
+  [[nodiscard]] bool take(std::array<double, 3>& direction, const std::string& file,
+                          const std::string& place, std::vector<std::string>& notes);
+  /// One note for all lights that were not of unit length.
+  void finish(std::vector<std::string>& notes) const;
+
+ private:
+  std::size_t lights_ = 0, off_unit_ = 0;
+  double shortest_ = std::numeric_limits<double>::infinity(), longest_ = 0;
+};
+
+}  // namespace ptm::golden

@@ -1,0 +1,67 @@
+#include "golden/files/ptm_row_writer.h"
+
+#include <stdexcept>
+
+#include "golden/files/ptm_header.h"
+#include "golden/files/raw_payload.h"
+
+namespace ptm::golden {
+namespace {
+
+/// Bytes a texel takes in each of the payload's blocks (docs/spec/ptm-file.md, section 3).
+std::vector<std::size_t> block_bytes(MapKind kind) {
+  if (kind == MapKind::lrgb) return {6, 3};
+  if (kind == MapKind::rgb) return {6, 6, 6};
+  return {8};
+}
+
+}  // namespace
+
+PtmRowWriter::PtmRowWriter(const std::filesystem::path& path, const PtmMap& shape)
+    : path_(path), shape_(shape), file_(path), out_(file_.path(), std::ios::binary) {
+  if (!out_) fail("no file can be made there");
+  PtmFileInfo info;
+  info.version = "PTM_1.2";
+  info.format = "PTM_FORMAT_" + format_name(shape.kind, Coding::raw);
+  const std::string header = format_ptm_header(shape, info);
+  header_bytes_ = header.size();
+  out_ << header;
+}
+
+void PtmRowWriter::fail(const std::string& found) const {
+  throw InputError(path_.string(), "output", found, "a place where a file can be written");
+}
+
+void PtmRowWriter::write(int first_row, int rows, std::span<const std::uint8_t> coef,
+                         std::span<const std::uint8_t> color) {
+  PtmMap part = shape_;
+  part.height = rows;
+  part.coef.assign(coef.begin(), coef.end());
+  part.color.assign(color.begin(), color.end());
+  if (first_row < 0 || rows < 1 || rows > shape_.height - first_row ||
+      coef.size() != part.texels() * 6 * part.polynomials() ||
+      color.size() != part.texels() * part.color_bytes()) {
+    throw std::invalid_argument("rows of another size than the map's");
+  }
+  // Rows run bottom-up within each block, so the rows of a part are one run of each.
+  const std::vector<std::uint8_t> payload = format_raw_payload(part, false);
+  const auto below = static_cast<std::size_t>(shape_.height - first_row - rows) *
+                     static_cast<std::size_t>(shape_.width);
+  std::size_t block = header_bytes_, from = 0;
+  for (const std::size_t bytes : block_bytes(shape_.kind)) {
+    out_.seekp(static_cast<std::streamoff>(block + below * bytes));
+    out_.write(reinterpret_cast<const char*>(payload.data() + from),
+               static_cast<std::streamsize>(part.texels() * bytes));
+    block += shape_.texels() * bytes;
+    from += part.texels() * bytes;
+  }
+  if (!out_) fail("a write that failed");
+}
+
+void PtmRowWriter::commit() {
+  out_.close();
+  if (!out_) fail("a write that failed");
+  file_.commit();
+}
+
+}  // namespace ptm::golden

@@ -1,0 +1,262 @@
+#include "testbench/program/fit_job.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "golden/files/lum_matrix.h"
+#include "golden/files/number_text.h"
+#include "golden/files/picture_row_writer.h"
+#include "golden/files/ptm_row_writer.h"
+#include "testbench/program/fit_judge.h"
+#include "testbench/run/stopwatch.h"
+
+namespace ptm::testbench {
+namespace {
+
+using golden::Band;
+using golden::Capture;
+using golden::InputError;
+
+/// Polynomials that scales and biases are chosen by, at most about.
+constexpr std::size_t kSamplePolynomials = std::size_t{1} << 16;
+
+/// Adds the time of a scope to a sum.
+class Timed {
+ public:
+  explicit Timed(double& seconds) : seconds_(seconds) {}
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+  ~Timed() { seconds_ += watch_.seconds(); }
+
+ private:
+  double& seconds_;
+  Stopwatch watch_;
+};
+
+/// Moves every n-th photograph to a capture of its own.
+Capture split_off(Capture& capture, int n) {
+  Capture kept, held;
+  kept.region = held.region = capture.region;
+  kept.notes = std::move(capture.notes);
+  for (std::size_t i = 0; i < capture.names.size(); ++i) {
+    Capture& to = (i + 1) % static_cast<std::size_t>(n) == 0 ? held : kept;
+    to.names.push_back(std::move(capture.names[i]));
+    to.directions.push_back(capture.directions[i]);
+    to.photographs.push_back(std::move(capture.photographs[i]));
+  }
+  capture = std::move(kept);
+  return held;
+}
+
+class Runner {
+ public:
+  Runner(const FitJob& job, const std::function<void(std::size_t, std::size_t)>& step)
+      : job_(job), step_(step), storage_(job.quantizer, job.config) {
+    shape_.kind = job.fit.kind;
+    shape_.lum_matrix = golden::jfif_lum_matrix();
+  }
+
+  FitOutcome run() {
+    open();
+    Capture* const both[] = {&training_, &held_out_};
+    const std::size_t beside = polynomials() * (12 * sizeof(double) + 6) + 32;
+    golden::PhotoBands bands(both, job_.memory, beside);
+    out_.bands = bands.bands();
+    const std::size_t total = static_cast<std::size_t>(bands.bands()) * 2;
+    for (int b = 0; b < bands.bands(); ++b) {
+      read(bands, b);
+      fit();
+      gather();
+      if (step_) step_(++steps_, total);
+    }
+    count_samples(bands);
+    choose();
+    golden::PtmRowWriter writer(job_.out, shape_);
+    if (!job_.residual.empty()) residual_.emplace(job_.residual, shape_.width, shape_.height);
+    for (int b = 0; b < bands.bands(); ++b) {
+      if (bands.bands() > 1) {
+        read(bands, b);
+        fit();
+      }
+      store();
+      judge();
+      writer.write(band_.first_row, band_.rows, bytes_, color_);
+      if (step_) step_(++steps_, total);
+    }
+    if (residual_) residual_->commit();
+    writer.commit();
+    judge_->finish(out_);
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t polynomials() const { return shape_.polynomials(); }
+
+  /// Outputs that cannot be written are refused before hours of work, not after.
+  void check_outputs() const {
+    const golden::PendingFile map(job_.out);
+    if (!job_.residual.empty()) const golden::PendingFile picture(job_.residual);
+  }
+
+  void open() {
+    check_outputs();
+    training_ = golden::open_capture(job_.capture);
+    const std::string& name = job_.capture.source.string();
+    if (!job_.test.empty()) {
+      golden::CaptureRequest other = job_.capture;
+      other.source = job_.test;
+      other.lights.clear();
+      held_out_ = golden::open_capture(other);
+      if (held_out_.region.width != training_.region.width ||
+          held_out_.region.height != training_.region.height) {
+        throw InputError(job_.test.string(), "photographs",
+                         std::to_string(held_out_.region.width) + " x " +
+                             std::to_string(held_out_.region.height) + " pixels",
+                         std::to_string(training_.region.width) + " x " +
+                             std::to_string(training_.region.height) + " like the ones fitted");
+      }
+    } else if (job_.hold_out > 1) {
+      held_out_ = split_off(training_, job_.hold_out);
+    }
+    if (training_.names.size() < 2) {
+      throw InputError(name, "lights", std::to_string(training_.names.size()) + " to fit",
+                       "two or more: one photograph shows no dependence on light");
+    }
+    out_.width = shape_.width = training_.region.width;
+    out_.height = shape_.height = training_.region.height;
+    out_.notes = training_.notes;
+    if (shape_.kind == golden::MapKind::lum) {
+      out_.notes.emplace_back("no other program reads PTM_FORMAT_LUM");
+    }
+    for (const std::string& note : held_out_.notes) {
+      out_.notes.push_back(job_.test.filename().string() + ": " + note);
+    }
+    solve();
+  }
+
+  void solve() {
+    out_.solver = golden::solve_lights(training_.directions);
+    const int full = job_.capture.univariate ? 3 : 6;
+    const std::string lights = "the " + std::to_string(training_.names.size()) + " lights ";
+    const std::string condition = golden::format_real(std::round(out_.solver.condition));
+    if (out_.solver.rank < full) {
+      out_.notes.push_back(lights + "determine " + std::to_string(out_.solver.rank) + " of " +
+                           std::to_string(full) +
+                           " coefficients; the smallest polynomials that fit were taken, their "
+                           "condition number is " +
+                           condition);
+    } else if (out_.solver.condition > golden::kIllConditioned) {
+      out_.notes.push_back(lights + "are ill-conditioned: condition number " + condition);
+    }
+    judge_.emplace(training_, held_out_, out_.solver, job_.fit);
+    const std::size_t all = shape_.texels() * polynomials();
+    stride_ = (all + kSamplePolynomials - 1) / kSamplePolynomials;
+  }
+
+  void read(golden::PhotoBands& bands, int index) {
+    const Timed timed(out_.read_seconds);
+    bands.read(index, band_);
+  }
+
+  void fit() {
+    const Timed timed(out_.fit_seconds);
+    coef_.resize(band_.texels * polynomials() * 6);
+    color_.resize(band_.texels * shape_.color_bytes());
+    golden::for_each_tile(band_.texels, [&](std::size_t, std::size_t first, std::size_t count) {
+      golden::fit_tile(band_.tile(first, count, 0), out_.solver, job_.fit, coef_of(first, count),
+                       color_of(first, count));
+    });
+  }
+
+  [[nodiscard]] std::span<double> coef_of(std::size_t first, std::size_t count) {
+    return std::span(coef_).subspan(first * polynomials() * 6, count * polynomials() * 6);
+  }
+  [[nodiscard]] std::span<std::uint8_t> bytes_of(std::size_t first, std::size_t count) {
+    return std::span(bytes_).subspan(first * polynomials() * 6, count * polynomials() * 6);
+  }
+  [[nodiscard]] std::span<std::uint8_t> color_of(std::size_t first, std::size_t count) {
+    return std::span(color_).subspan(first * shape_.color_bytes(), count * shape_.color_bytes());
+  }
+
+  /// Keeps what scales and biases are chosen by: the range of all, and polynomials of texels drawn
+  /// by a fixed hash, so that no regular pattern of the picture meets a regular one of the sample.
+  void gather() {
+    range_.add(coef_);
+    const std::size_t before =
+        static_cast<std::size_t>(band_.first_row) * static_cast<std::size_t>(shape_.width);
+    const std::size_t size = polynomials() * 6;
+    if (stride_ == 1) sample_.reserve(shape_.texels() * size);
+    for (std::size_t t = 0; t < band_.texels; ++t) {
+      const double* from = coef_.data() + t * size;
+      out_.black_texels +=
+          std::all_of(from, from + size, [](double a) { return a == 0; }) ? 1U : 0U;
+      const std::uint64_t hash = (before + t) * std::uint64_t{0x9E3779B97F4A7C15} >> 32;
+      if (hash % stride_ == 0) sample_.insert(sample_.end(), from, from + size);
+    }
+  }
+
+  void count_samples(const golden::PhotoBands& bands) {
+    out_.saturated_samples = bands.counts().saturated;
+    if (bands.counts().negative > 0) {
+      out_.notes.push_back(std::to_string(bands.counts().negative) +
+                           " negative samples taken as black");
+    }
+    if (bands.bands() > 1 && !bands.all_stream()) {
+      out_.notes.emplace_back(
+          "some photographs cannot be read by rows and are decoded once for each band");
+    }
+  }
+
+  void choose() {
+    const Timed timed(out_.quantize_seconds);
+    if (sample_.empty()) sample_.assign(coef_.begin(), coef_.begin() + 6);
+    storage_.choose(sample_, range_);
+    sample_ = {};
+    out_.scale = shape_.scale = storage_.scale();
+    out_.bias = shape_.bias = storage_.bias();
+    out_.shift = storage_.shift();
+  }
+
+  void store() {
+    const Timed timed(out_.quantize_seconds);
+    bytes_.resize(coef_.size());
+    std::vector<StorageLoss> losses(golden::tiles_of(band_.texels));
+    golden::for_each_tile(band_.texels, [&](std::size_t tile, std::size_t first, std::size_t n) {
+      losses[tile] = storage_.encode(coef_of(first, n), bytes_of(first, n));
+    });
+    for (const StorageLoss& loss : losses) out_.loss.add(loss);
+  }
+
+  void judge() {
+    const Timed timed(out_.judge_seconds);
+    residual_rows_.assign(residual_ ? band_.texels : 0, 0);
+    judge_->add(band_, coef_, storage_.decode(bytes_), color_, residual_rows_);
+    if (residual_) residual_->write(residual_rows_);
+  }
+
+  const FitJob& job_;
+  const std::function<void(std::size_t, std::size_t)>& step_;
+  std::size_t steps_ = 0;
+  FitOutcome out_;
+  MapStorage storage_;
+  golden::PtmMap shape_;  ///< kind, size, scales and biases; no texels
+  Capture training_, held_out_;
+  Band band_;
+  std::vector<double> coef_;         ///< of the band, [texel][polynomial][6]
+  std::vector<std::uint8_t> bytes_;  ///< the same, stored
+  std::vector<std::uint8_t> color_;  ///< of the band
+  std::vector<double> sample_;
+  golden::CoefficientRange range_;
+  std::size_t stride_ = 1;
+  std::optional<FitJudge> judge_;
+  std::optional<golden::PictureRowWriter> residual_;
+  std::vector<std::uint8_t> residual_rows_;
+};
+
+}  // namespace
+
+FitOutcome run_fit(const FitJob& job, const std::function<void(std::size_t, std::size_t)>& step) {
+  return Runner(job, step).run();
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,108 @@
+#include "testbench/program/fit_judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ptm::testbench {
+namespace {
+
+using golden::Squares;
+
+/// Grey levels of the residual picture for one level of RMS residual.
+constexpr double kResidualGain = 4;
+
+}  // namespace
+
+FitJudge::FitJudge(const golden::Capture& training, const golden::Capture& held_out,
+                   const golden::LightSolver& solver, const golden::FitOptions& options)
+    : training_(training),
+      held_out_(held_out),
+      solver_(solver),
+      options_(options),
+      sums_(training.names.size(), held_out.names.size()) {}
+
+void FitJudge::LightSums::add(const LightSums& other) {
+  for (std::size_t i = 0; i < real.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      real[i][c] += other.real[i][c];
+      stored[i][c] += other.stored[i][c];
+    }
+  }
+}
+
+void FitJudge::add(const golden::Band& band, std::span<const double> coef,
+                   std::span<const double> stored, std::span<const std::uint8_t> color,
+                   std::span<std::uint8_t> residual_rows) {
+  const std::size_t lights = training_.names.size();
+  const std::size_t numbers = coef.size() / band.texels, bytes = color.size() / band.texels;
+  const double samples = 3 * static_cast<double>(lights);
+  std::vector<Sums> tiles(golden::tiles_of(band.texels), Sums(lights, held_out_.names.size()));
+  golden::for_each_tile(band.texels, [&](std::size_t tile, std::size_t first, std::size_t count) {
+    Sums& sums = tiles[tile];
+    const auto real_part = coef.subspan(first * numbers, count * numbers);
+    const auto stored_part = stored.subspan(first * numbers, count * numbers);
+    const auto color_part = color.subspan(first * bytes, count * bytes);
+    const auto compare = [&](const golden::Capture& with, std::size_t photograph, LightSums& to,
+                             std::span<double> texels) {
+      if (with.names.empty()) return;
+      const golden::PhotoTile seen = band.tile(first, count, photograph);
+      golden::add_squares(seen, with.directions, options_.kind, real_part, color_part, to.real);
+      golden::add_squares(seen, with.directions, options_.kind, stored_part, color_part, to.stored,
+                          texels);
+    };
+    std::vector<double> texels(residual_rows.empty() ? 0 : count);
+    compare(training_, 0, sums.training, texels);
+    compare(held_out_, lights, sums.held_out, {});
+    if (options_.robust_passes == 0) {
+      golden::add_leave_one_out(band.tile(first, count, 0), solver_, options_.kind,
+                                sums.leave_one_out);
+    }
+    for (std::size_t t = 0; t < texels.size(); ++t) {
+      const double level = kResidualGain * std::sqrt(texels[t] / samples);
+      residual_rows[first + t] = static_cast<std::uint8_t>(std::min(level + 0.5, 255.0));
+    }
+  });
+  for (const Sums& one : tiles) {
+    sums_.training.add(one.training);
+    sums_.held_out.add(one.held_out);
+    for (std::size_t i = 0; i < lights; ++i) sums_.leave_one_out[i] += one.leave_one_out[i];
+  }
+  texels_ += static_cast<double>(band.texels);
+}
+
+FitJudgement FitJudge::judgement(const golden::Capture& capture, const LightSums& sums) const {
+  FitJudgement result;
+  Squares real{}, stored{};
+  for (std::size_t i = 0; i < capture.names.size(); ++i) {
+    result.lights.push_back(golden::to_residual(sums.stored[i], texels_));
+    for (std::size_t c = 0; c < 3; ++c) {
+      real[c] += sums.real[i][c];
+      stored[c] += sums.stored[i][c];
+    }
+  }
+  const double samples = texels_ * static_cast<double>(capture.names.size());
+  result.real = golden::to_residual(real, samples);
+  result.stored = golden::to_residual(stored, samples);
+  result.names = capture.names;
+  result.directions = capture.directions;
+  return result;
+}
+
+void FitJudge::finish(FitOutcome& outcome) const {
+  outcome.training = judgement(training_, sums_.training);
+  if (!held_out_.names.empty()) outcome.held_out = judgement(held_out_, sums_.held_out);
+  if (options_.robust_passes > 0) return;
+  const double samples =
+      texels_ * static_cast<double>(golden::fitted_signals(options_.kind).size());
+  double all = 0, count = 0;
+  for (std::size_t i = 0; i < sums_.leave_one_out.size(); ++i) {
+    outcome.leave_one_out.emplace_back();
+    if (!golden::has_leave_one_out(solver_, i)) continue;
+    outcome.leave_one_out.back() = std::sqrt(sums_.leave_one_out[i] / samples);
+    all += sums_.leave_one_out[i];
+    count += samples;
+  }
+  if (count > 0) outcome.leave_one_out_rmse = std::sqrt(all / count);
+}
+
+}  // namespace ptm::testbench

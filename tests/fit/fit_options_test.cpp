@@ -1,0 +1,222 @@
+// The options of `ptmsim fit`, run as a user runs them on photographs of a made-up relief.
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "golden/files/picture_file.h"
+#include "golden/files/ptm_file.h"
+#include "tests/run_program.h"
+
+namespace ptm::testbench {
+namespace {
+
+using nlohmann::json;
+using tests::Outcome;
+using tests::quoted;
+
+class FitOptions : public tests::Program {
+ protected:
+  /// Twenty photographs of 48 x 48 pixels.
+  void SetUp() override {
+    ASSERT_EQ(run("synthesize --size 48 --lights 20 --out " + quoted(file("c"))).code, 0);
+  }
+  [[nodiscard]] std::string capture() const { return quoted(file("c/capture.lp")); }
+  [[nodiscard]] json fit(const std::string& arguments, const std::string& map = "m.ptm") const {
+    const Outcome outcome = run("fit " + arguments + " --json --out " + quoted(file(map)));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.code == 0 ? json::parse(outcome.out) : json();
+  }
+  void grey(const std::string& name, std::uint8_t level) const {
+    golden::Image8 image(4, 3, 1);
+    for (auto& sample : image.samples) sample = level;
+    std::filesystem::create_directories(file(name).parent_path());
+    golden::write_picture(file(name), image);
+  }
+};
+
+TEST_F(FitOptions, BandsOfAnySizeGiveTheSameMapAndTheSameFigures) {
+  const json whole = fit(capture() + " --residual " + quoted(file("whole.png")), "whole.ptm");
+  EXPECT_EQ(whole.at("bands"), 1);
+  // 48 x 48 texels of 20 photographs are 0.6 MiB of samples: more photographs for more bands.
+  ASSERT_EQ(run("synthesize --size 192 --lights 30 --out " + quoted(file("big"))).code, 0);
+  const std::string big = quoted(file("big/capture.lp"));
+  for (const char* format : {"lrgb", "rgb", "lum"}) {
+    const std::string arguments = big + " --format " + format;
+    json one = fit(arguments + " --residual " + quoted(file("1.png")), "one.ptm");
+    json many = fit(arguments + " --memory 1 --residual " + quoted(file("2.png")), "many.ptm");
+    EXPECT_GT(many.at("bands"), 10);
+    EXPECT_EQ(tests::text_of(file("one.ptm")), tests::text_of(file("many.ptm"))) << format;
+    EXPECT_EQ(tests::text_of(file("1.png")), tests::text_of(file("2.png"))) << format;
+    EXPECT_NEAR(one.at("real_fit").at("rmse"), many.at("real_fit").at("rmse"), 1e-9);
+    EXPECT_NEAR(one.at("leave_one_out_rmse"), many.at("leave_one_out_rmse"), 1e-9);
+    EXPECT_EQ(one.at("saturated"), many.at("saturated"));
+    EXPECT_EQ(one.at("saturated_samples"), many.at("saturated_samples"));
+  }
+}
+
+TEST_F(FitOptions, EveryFormatWritesItsKindOfMapAndRgbFitsBest) {
+  std::map<std::string, double> psnr;
+  for (const auto& [format, kind] : {std::pair{"lrgb", golden::MapKind::lrgb},
+                                     {"rgb", golden::MapKind::rgb},
+                                     {"lum", golden::MapKind::lum}}) {
+    const json out = fit(capture() + " --format " + format);
+    psnr[format] = out.at("stored_fit").at("psnr_db");
+    EXPECT_EQ(golden::read_ptm(file("m.ptm")).map.kind, kind);
+    EXPECT_NEAR(out.at("real_fit").at("psnr_db"), psnr[format], 0.1) << format;
+  }
+  EXPECT_GE(psnr["rgb"], psnr["lrgb"]);
+  EXPECT_GE(psnr["rgb"], psnr["lum"]);
+}
+
+TEST_F(FitOptions, HoldOutKeepsEveryNthPhotographForJudging) {
+  const json out = fit(capture() + " --hold-out 5");
+  EXPECT_EQ(out.at("photographs"), 16);
+  ASSERT_EQ(out.at("held_out").at("lights").size(), 4U);
+  const json all = fit(capture());
+  EXPECT_FALSE(all.contains("held_out"));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(out.at("held_out").at("lights")[i].at("picture"),
+              all.at("lights")[i * 5 + 4].at("picture"));
+  }
+  EXPECT_GT(out.at("held_out").at("stored_fit").at("rmse"), out.at("stored_fit").at("rmse"));
+}
+
+TEST_F(FitOptions, TestJudgesByASecondListOfLights) {
+  const json out = fit(capture() + " --test " + capture());
+  EXPECT_EQ(out.at("held_out").at("stored_fit"), out.at("stored_fit"));
+  grey("small.png", 9);
+  write("small.lp", "small.png 0 0 1\n");
+  expect_refused("fit " + capture() + " --test " + quoted(file("small.lp")) + " --out " +
+                     quoted(file("n.ptm")),
+                 "4 x 3 pixels, expected 48 x 48");
+}
+
+TEST_F(FitOptions, RegionFitsAPartAsTheWholeFitsIt) {
+  const json whole = fit(capture(), "whole.ptm");
+  const json part = fit(capture() + " --region 8,4,20,10 --quantizer plain", "part.ptm");
+  EXPECT_EQ(part.at("width"), 20);
+  EXPECT_EQ(part.at("height"), 10);
+  const golden::PtmMap a = golden::read_ptm(file("whole.ptm")).map;
+  const golden::PtmMap b = golden::read_ptm(file("part.ptm")).map;
+  for (std::size_t y = 0; y < 10; ++y) {
+    for (std::size_t n = 0; n < 60; ++n) {
+      ASSERT_EQ(b.color[y * 60 + n], a.color[((y + 4) * 48 + 8) * 3 + n]);
+    }
+  }
+  for (const char* bad : {"1,2,3", "1,2,3,4,5", "a,b,c,d", "1,2,3,4x"}) {
+    EXPECT_EQ(run("fit " + capture() + " --out x.ptm --region " + bad).code, 2) << bad;
+  }
+  expect_refused("fit " + capture() + " --region 40,0,9,9 --out " + quoted(file("n.ptm")),
+                 "within 48 x 48 pixels");
+}
+
+TEST_F(FitOptions, TableAndResidualAreFilesOfWhatIsPrinted) {
+  const json out = fit(capture() + " --table " + quoted(file("t.json")) + " --residual " +
+                       quoted(file("r.png")));
+  const json table = json::parse(tests::text_of(file("t.json")));
+  EXPECT_EQ(table, out);
+  EXPECT_EQ(table.at("lights").size(), 20U);
+  for (const char* key : {"rmse", "psnr_db", "channel_rmse", "channel_psnr_db", "light", "picture",
+                          "leave_one_out_rmse"}) {
+    EXPECT_TRUE(table.at("lights")[7].contains(key)) << key;
+  }
+  // Grey levels are four times the RMS residual of a texel: its mean square is that of the table.
+  const golden::ImageReal picture = golden::read_picture(file("r.png"));
+  ASSERT_EQ(picture.width, 48);
+  double squares = 0;
+  for (const double level : picture.samples) squares += level * level / 16;
+  const double rmse = std::sqrt(squares / double(picture.samples.size()));
+  EXPECT_NEAR(rmse, out.at("stored_fit").at("rmse"), 0.125);  // half a grey level
+}
+
+TEST_F(FitOptions, UnivariateMapsFollowTheirOneParameter) {
+  std::ostringstream table;
+  for (int i = 0; i < 6; ++i) {
+    std::string name("focus/p");
+    name.append(1, static_cast<char>('0' + i)).append(".png");
+    grey(name, static_cast<std::uint8_t>(20 + 8 * i * i));
+    table << i * 60 << '\n';
+  }
+  const auto seconds = write("seconds.txt", table.str());
+  const json out =
+      fit(quoted(file("focus")) + " --univariate --format rgb --lights " + quoted(seconds));
+  EXPECT_EQ(out.at("rank"), 3);
+  ASSERT_EQ(out.at("notes").size(), 1U) << out.at("notes");
+  EXPECT_NE(out.at("notes")[0].get<std::string>().find("moved to -1..1"), std::string::npos);
+  EXPECT_LT(out.at("real_fit").at("rmse"), 1e-3);
+  EXPECT_LT(out.at("stored_fit").at("rmse"), 1);
+  EXPECT_EQ(run("fit " + capture() + " --univariate --out x.ptm").code, 2);
+}
+
+TEST_F(FitOptions, LinearAndRobustFitsDifferFromThePlainOne) {
+  const json plain = fit(capture(), "plain.ptm"), linear = fit(capture() + " --linear", "lin.ptm"),
+             robust = fit(capture() + " --robust 4", "robust.ptm");
+  EXPECT_EQ(linear.at("linear"), true);
+  EXPECT_NE(tests::text_of(file("plain.ptm")), tests::text_of(file("lin.ptm")));
+  EXPECT_NE(tests::text_of(file("plain.ptm")), tests::text_of(file("robust.ptm")));
+  EXPECT_TRUE(robust.at("leave_one_out_rmse").is_null());
+  EXPECT_GT(robust.at("real_fit").at("rmse"), plain.at("real_fit").at("rmse"));
+}
+
+TEST_F(FitOptions, SaysWhenLightsAreIllConditionedOrLieOnARing) {
+  std::ostringstream ring, nearly;
+  for (int i = 0; i < 8; ++i) {
+    std::string name(1, static_cast<char>('a' + i));
+    name.append(".png");
+    grey(name, static_cast<std::uint8_t>(90 + i));
+    const double angle = 0.8 * i;
+    const auto light = [&](double radius) {
+      std::ostringstream line;
+      line << std::setprecision(9) << name << ' ' << radius * std::cos(angle) << ' '
+           << radius * std::sin(angle) << ' ' << std::sqrt(1 - radius * radius) << '\n';
+      return line.str();
+    };
+    ring << light(0.6);
+    nearly << light(i == 0 ? 0.6002 : 0.6);
+  }
+  const json flat = fit(quoted(write("ring.lp", ring.str())));
+  EXPECT_EQ(flat.at("rank"), 5);
+  EXPECT_NE(flat.at("notes")[0].get<std::string>().find("5 of 6 coefficients"), std::string::npos);
+  EXPECT_NE(flat.at("notes")[0].get<std::string>().find("condition number"), std::string::npos);
+  const json ill = fit(quoted(write("nearly.lp", nearly.str())));
+  EXPECT_EQ(ill.at("rank"), 6);
+  EXPECT_NE(ill.at("notes")[0].get<std::string>().find("ill-conditioned"), std::string::npos);
+}
+
+TEST_F(FitOptions, RefusesOnePhotographAndTablesThatDoNotFit) {
+  grey("one.png", 50);
+  write("one.lp", "one.png 0 0 1\n");
+  const std::string out = " --out " + quoted(file("n.ptm"));
+  expect_refused("fit " + quoted(file("one.lp")) + out, "found 1 to fit, expected two or more");
+  expect_refused("fit " + quoted(file("c")) + out, "--lights TABLE");
+  write("table.txt", "0 0 1\n0 0 nan\n");
+  const std::string table = " --lights " + quoted(file("table.txt"));
+  expect_refused("fit " + quoted(file("c")) + table + out, "line 2: found \"nan\"");
+  write("table.txt", "0 0 1\n0 0.6 0.8\n");
+  expect_refused("fit " + quoted(file("c")) + table + out, "20 pictures, expected 2");
+}
+
+TEST_F(FitOptions, CountsSaturatedSamplesAndBlackTexels) {
+  grey("white.png", 255);
+  grey("black.png", 0);
+  write("w.lp", "white.png 0 0 1\nblack.png 0.6 0 0.8\n");
+  write("b.lp", "black.png 0 0 1\nblack.png 0.6 0 0.8\n");
+  EXPECT_EQ(fit(quoted(file("w.lp"))).at("saturated_samples"), 36);
+  const json black = fit(quoted(file("b.lp")));
+  EXPECT_EQ(black.at("black_texels"), 12);
+  EXPECT_EQ(black.at("stored_fit").at("rmse"), 0);
+  for (const double scale : black.at("scale")) EXPECT_TRUE(std::isfinite(scale) && scale > 0);
+  const json hp = fit(quoted(file("b.lp")) + " --quantizer hp");
+  EXPECT_EQ(hp.at("stored_fit").at("rmse"), 0);
+}
+
+TEST_F(FitOptions, EndsWithCode2OnWrongUsage) {
+  EXPECT_EQ(run("fit " + capture() + " --out x.ptm --memory 0").code, 2);
+  EXPECT_EQ(run("fit " + capture() + " --out x.ptm --hold-out 1").code, 2);
+  EXPECT_EQ(run("fit " + capture() + " --out x.ptm --hold-out 3 --test y.lp").code, 2);
+}
+
+}  // namespace
+}  // namespace ptm::testbench
