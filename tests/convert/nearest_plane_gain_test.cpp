@@ -5,11 +5,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "golden/fit/capture.h"
-#include "golden/fit/fit_lrgb.h"
 #include "golden/scene/relief.h"
 #include "model/quantize/choose_grid.h"
 #include "model/quantize/quantize.h"
+#include "tests/convert/lrgb_fit.h"
 #include "tests/shared_data.h"
 
 namespace ptm::quantize {
@@ -17,7 +16,7 @@ namespace {
 
 /// Stored less real, as the picture shows it: RMS of colour * dL / 255 over texels, channels and
 /// lights all round the hemisphere, evenly by solid angle (so the mean over lights is e^T G e).
-double picture_psnr(const golden::LrgbFit& fit, const StoredMap& stored) {
+double picture_psnr(const tests::LrgbFit& fit, const StoredMap& stored) {
   const Gram g = hemisphere_gram();
   const std::vector<double> held = dequantize(stored);
   double squares = 0;
@@ -39,8 +38,7 @@ struct Gain {
 };
 
 Gain measure(const std::filesystem::path& lp) {
-  const golden::Capture capture = golden::read_capture(lp);
-  const golden::LrgbFit fit = golden::fit_lrgb(capture, golden::solve_lights(capture.directions));
+  const tests::LrgbFit fit = tests::fit_lrgb(lp);
   const RealMap real{fit.width, fit.height, 1, fit.coef};
   const Gram g = hemisphere_gram();
   const auto& config = reference::kBase;

@@ -6,12 +6,11 @@
 #include <sstream>
 
 #include "golden/files/ptm_file.h"
-#include "golden/fit/capture.h"
-#include "golden/fit/fit_lrgb.h"
 #include "model/quantize/quantize.h"
 #include "testbench/compare/lit_difference.h"
 #include "testbench/run/hardware_map.h"
 #include "testbench/run/map_steps.h"
+#include "tests/convert/lrgb_fit.h"
 #include "tests/shared_data.h"
 
 namespace ptm::testbench {
@@ -21,8 +20,7 @@ using golden::MapKind;
 using golden::PtmMap;
 
 PtmMap fit_capture(const std::filesystem::path& lp) {
-  const golden::Capture capture = golden::read_capture(lp);
-  golden::LrgbFit fit = golden::fit_lrgb(capture, golden::solve_lights(capture.directions));
+  tests::LrgbFit fit = tests::fit_lrgb(lp);
   return to_ptm(quantize::quantize({fit.width, fit.height, 1, fit.coef}, reference::kBase,
                                    quantize::Method::nearest_plane, quantize::hemisphere_gram()),
                 MapKind::lrgb, std::move(fit.color));
