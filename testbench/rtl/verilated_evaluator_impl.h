@@ -26,8 +26,8 @@ class VerilatedEvaluator final : public RtlEvaluator {
 
   RtlCounters stream_lrgb(std::uint64_t pixels, const pipeline::StreamTiming& timing,
                           const LrgbSource& source, const Sink& sink) override {
-    dut_.rgb_map_i = 0;
-    dut_.channel_i = 0;
+    pins_.rgb_map_i = 0;
+    pins_.channel_i = 0;
     return stream<1>(pixels, timing, sink, [&](std::uint64_t pixel, unsigned) {
       const reference::LrgbOperands<>& in = source(pixel);
       drive(in.coef, in.bias, in.shift, in.lu, in.lv);
@@ -40,16 +40,16 @@ class VerilatedEvaluator final : public RtlEvaluator {
     const reference::RgbOperands<>* in = nullptr;
     return stream<3>(pixels, timing, sink, [&](std::uint64_t pixel, unsigned channel) {
       if (channel == 0) in = &source(pixel);
-      dut_.rgb_map_i = 1;
-      dut_.channel_i = static_cast<CData>(channel);
+      pins_.rgb_map_i = 1;
+      pins_.channel_i = static_cast<CData>(channel);
       drive(in->coef[channel], in->bias, in->shift, in->lu, in->lv);
     });
   }
 
   void reset() override {
-    dut_.valid_i = 0;
-    dut_.ready_i = 0;
-    dut_.probe_i = probe::kNone;
+    pins_.valid_i = 0;
+    pins_.ready_i = 0;
+    pins_.probe_i = probe::kNone;
     dut_.rst_ni = 1;  // so that the next line is an edge
     dut_.eval();
     dut_.rst_ni = 0;
@@ -59,26 +59,26 @@ class VerilatedEvaluator final : public RtlEvaluator {
   }
 
   RtlSeen cycle(const RtlPins& pins) override {
-    dut_.valid_i = pins.valid;
-    dut_.ready_i = pins.ready;
-    dut_.rgb_map_i = pins.rgb_map;
-    dut_.channel_i = static_cast<CData>(pins.channel);
-    dut_.sideband_i = pins.sideband;
+    pins_.valid_i = pins.valid;
+    pins_.ready_i = pins.ready;
+    pins_.rgb_map_i = pins.rgb_map;
+    pins_.channel_i = static_cast<CData>(pins.channel);
+    pins_.sideband_i = pins.sideband;
     const reference::LrgbOperands<>& in = pins.operands;
     drive(in.coef, in.bias, in.shift, in.lu, in.lv);
     drive_rgb(in.rgb);
     dut_.eval();  // outputs may depend on inputs here
-    RtlSeen seen{dut_.ready_o != 0, dut_.valid_o != 0, {}, dut_.sideband_o};
+    RtlSeen seen{pins_.ready_o != 0, pins_.valid_o != 0, {}, pins_.sideband_o};
     read(seen.pixel);
     clock_edge();
     return seen;
   }
 
   [[nodiscard]] reference::Value probe(std::uint8_t number) override {
-    dut_.probe_i = number;
+    pins_.probe_i = number;
     dut_.eval();
-    const auto value = static_cast<reference::Value>(dut_.probe_o);
-    dut_.probe_i = probe::kNone;
+    const auto value = static_cast<reference::Value>(pins_.probe_o);
+    pins_.probe_i = probe::kNone;
     return value;
   }
 
@@ -91,7 +91,7 @@ class VerilatedEvaluator final : public RtlEvaluator {
 
   void clock_edge() {
     if constexpr (Asserting) dut_.eval();
-    dut_.clk_i = !dut_.clk_i;
+    pins_.clk_i = !pins_.clk_i;
     dut_.eval();
   }
 
@@ -99,25 +99,25 @@ class VerilatedEvaluator final : public RtlEvaluator {
   void drive(const Six& coef, const Six& bias, const Six& shift, reference::Value lu,
              reference::Value lv) {
     for (unsigned i = 0; i < 6; ++i) {
-      dut_.coef_i[i] = static_cast<SData>(coef[i]);
-      dut_.bias_i[i] = static_cast<SData>(bias[i]);
-      dut_.shift_i[i] = static_cast<CData>(shift[i]);
+      pins_.coef_i[i] = static_cast<SData>(coef[i]);
+      pins_.bias_i[i] = static_cast<SData>(bias[i]);
+      pins_.shift_i[i] = static_cast<CData>(shift[i]);
     }
-    dut_.lu_i = static_cast<IData>(lu);
-    dut_.lv_i = static_cast<IData>(lv);
+    pins_.lu_i = static_cast<IData>(lu);
+    pins_.lv_i = static_cast<IData>(lv);
   }
   void drive_rgb(const reference::Three<reference::Value>& rgb) {
-    for (unsigned c = 0; c < 3; ++c) dut_.rgb_i[c] = static_cast<SData>(rgb[c]);
+    for (unsigned c = 0; c < 3; ++c) pins_.rgb_i[c] = static_cast<SData>(rgb[c]);
   }
 
   /// Field by field into place: a copy in wider pieces would wait for these stores.
   void read(RtlPixel& pixel) const {
     for (unsigned c = 0; c < 3; ++c) {
-      pixel.lum[c] = dut_.lum_o[c];
-      pixel.out[c] = dut_.rgb_o[c];
+      pixel.lum[c] = pins_.lum_o[c];
+      pixel.out[c] = pins_.rgb_o[c];
     }
-    pixel.lum_saturated = dut_.lum_saturated_o != 0;
-    pixel.color_saturated = dut_.color_saturated_o != 0;
+    pixel.lum_saturated = pins_.lum_saturated_o != 0;
+    pixel.color_saturated = pins_.color_saturated_o != 0;
   }
 
   [[noreturn]] void fail(const char* what, std::uint64_t cycle, const char* item,
@@ -153,25 +153,25 @@ class VerilatedEvaluator final : public RtlEvaluator {
       const bool offered = counters.beats < beats && cycle >= offer_at;
       if (offered && cycle == offer_at) {
         drive_beat(counters.beats / Beats, static_cast<unsigned>(counters.beats % Beats));
-        dut_.sideband_i = static_cast<IData>(counters.beats / Beats);
+        pins_.sideband_i = static_cast<IData>(counters.beats / Beats);
       }
       const bool blocked = pipeline::stalled(timing, cycle);
-      dut_.valid_i = offered;
-      dut_.ready_i = !blocked;
-      const bool accepted = offered && dut_.ready_o;
-      const bool taken = dut_.valid_o && !blocked;
+      pins_.valid_i = offered;
+      pins_.ready_i = !blocked;
+      const bool accepted = offered && pins_.ready_o;
+      const bool taken = pins_.valid_o && !blocked;
       if (taken) {
         if (counters.pixels * Beats + Beats > counters.beats) {
           fail("a pixel before its operands", cycle, "pixel", counters.pixels);
         }
-        if (dut_.sideband_o != static_cast<IData>(counters.pixels)) {
+        if (pins_.sideband_o != static_cast<IData>(counters.pixels)) {
           fail("another pixel's id", cycle, "pixel", counters.pixels);
         }
         read(pixel);
         sink(counters.pixels++, pixel, cycle);
         taken_at = cycle;
       }
-      counters.output_blocked += dut_.valid_o && blocked;
+      counters.output_blocked += pins_.valid_o && blocked;
       counters.input_stalled += offered && !accepted;
       if (accepted) {
         if (counters.beats == 0) first = cycle;
@@ -189,10 +189,10 @@ class VerilatedEvaluator final : public RtlEvaluator {
 
   /// All pixels are out: no more may come.
   void expect_silence(std::uint64_t cycle, std::uint64_t pixels) {
-    dut_.valid_i = 0;
-    dut_.ready_i = 1;
+    pins_.valid_i = 0;
+    pins_.ready_i = 1;
     for (unsigned n = 0; n < kDrain; ++n) {
-      if (dut_.valid_o) fail("a pixel too many", cycle + n, "after pixel", pixels);
+      if (pins_.valid_o) fail("a pixel too many", cycle + n, "after pixel", pixels);
       clock_edge();
     }
   }
@@ -200,6 +200,8 @@ class VerilatedEvaluator final : public RtlEvaluator {
   std::string name_;
   VerilatedContext context_;
   Dut dut_{&context_};
+  /// The pins where Verilator keeps them; the class itself reaches each through a reference.
+  decltype(*Dut::rootp)& pins_ = *dut_.rootp;
 };
 
 }  // namespace ptm::testbench
