@@ -14,6 +14,7 @@ namespace {
 struct FakePorts {
   explicit FakePorts(VerilatedContext*) {}
   void final() {}
+  FakePorts* rootp = this;  ///< where Verilator keeps the pins
 
   CData clk_i = 0, rst_ni = 0, valid_i = 0, ready_i = 0, rgb_map_i = 0, channel_i = 0, probe_i = 0;
   CData ready_o = 0, valid_o = 0, lum_saturated_o = 0, color_saturated_o = 0;
