@@ -1,0 +1,48 @@
+// A model in a process of its own: its results come back, and so does whatever ends it.
+#include "testbench/run/child_process.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <stdexcept>
+
+namespace ptm::testbench {
+namespace {
+
+std::string complaint(ChildProcess& child) {
+  try {
+    child.wait();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(ChildProcess, HandsBackValuesAndVectorsInOrder) {
+  ChildProcess child("a model", [](ResultFile& file) {
+    file.put(std::vector<int>{3, 1, 4});
+    file.put(2.5);
+    file.put(std::vector<char>{});
+  });
+  ResultFile& file = child.wait();
+  EXPECT_EQ(file.get_vector<int>(), (std::vector<int>{3, 1, 4}));
+  EXPECT_EQ(file.get<double>(), 2.5);
+  EXPECT_TRUE(file.get_vector<char>().empty());
+  EXPECT_THROW((void)file.get<int>(), std::runtime_error) << "there is no more";
+}
+
+TEST(ChildProcess, PassesOnWhatTheWorkThrewEvenAfterItWroteSomething) {
+  ChildProcess child("a model", [](ResultFile& file) {
+    file.put(std::vector<int>(1000, 7));
+    throw std::runtime_error("pixel 5 never came");
+  });
+  EXPECT_EQ(complaint(child), "a model: pixel 5 never came");
+}
+
+TEST(ChildProcess, NamesTheSignalThatEndedIt) {
+  ChildProcess child("a model", [](ResultFile&) { std::raise(SIGKILL); });
+  EXPECT_EQ(complaint(child), "a model ended by signal 9");
+}
+
+}  // namespace
+}  // namespace ptm::testbench
