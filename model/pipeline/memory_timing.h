@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <unordered_set>
+
+#include "model/pipeline/stream_timing.h"
+
+/// When a memory answers. One class for the pipeline model and the RTL's test bench
+/// (docs/spec/unit-timing.md, "Memory"); free of SystemC's headers.
+namespace ptm::pipeline {
+
+inline constexpr Cycle kNever = ~Cycle{0};
+
+class MemoryTiming {
+ public:
+  virtual ~MemoryTiming() = default;
+  MemoryTiming() = default;
+  MemoryTiming(const MemoryTiming&) = delete;
+  MemoryTiming& operator=(const MemoryTiming&) = delete;
+
+  /// The cycle in which the line asked for in `cycle` arrives, later than `cycle` and different
+  /// from every earlier answer; kNever if it never does. Called once a request, in order:
+  /// `index` counts from 0, `cycle` rises.
+  virtual Cycle line(std::uint64_t index, std::uint32_t address, Cycle cycle) = 0;
+  /// Back to the state before the first request.
+  virtual void reset() = 0;
+};
+
+/// Cycles to the first answer, and from one answer to the next.
+struct FixedMemory {
+  Cycle latency = 100;
+  Cycle interval = 4;
+};
+
+/// A paged DRAM behind one channel, parameters named after their data-sheet fields, in the unit's
+/// cycles.
+struct DramMemory {
+  int banks = 8;
+  int page_lines = 32;  ///< lines of 64 bytes a row holds
+  Cycle tRCD = 14, tRP = 14, CL = 14, tRAS = 33, burst = 4;
+  Cycle tREFI = 7800, tRFC = 350;  ///< refresh: every tREFI all banks are closed for tRFC
+  Cycle overhead = 40;             ///< controller and wires, both ways
+};
+
+/// For stress: latencies hashed from (seed, index), answers out of order.
+struct RandomMemory {
+  std::uint64_t seed = 1;
+  Cycle latency_min = 1, latency_max = 200;
+};
+
+/// A fault for tests: what happens to the request of that index.
+struct MemoryFault {
+  enum class Kind : std::uint8_t { never, wrong_tag };
+  Kind kind = Kind::never;
+  std::uint64_t index = 0;
+};
+
+[[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const FixedMemory& memory);
+[[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const DramMemory& memory);
+[[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const RandomMemory& memory);
+
+}  // namespace ptm::pipeline

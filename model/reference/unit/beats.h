@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "model/reference/unit/unit_config.h"
+#include "model/reference/unit/unit_fragment.h"
+
+/// Steps U1 to U6 of docs/spec/unit.md: which texels a fragment reads.
+namespace ptm::reference {
+
+/// One texture's part of a footprint: level, weights, the two columns and rows.
+struct Footprint {
+  int level = 0;
+  bool fetched = false;  ///< false: weight 0, no taps
+  int level_weight = 0;  ///< f of U2; not 0: this texture has two footprints
+  std::int32_t i0 = 0, i1 = 0, j0 = 0, j1 = 0;
+  int wu = 0, wv = 0;                                     ///< Q0.8
+  [[nodiscard]] bool columns() const { return wu != 0; }  ///< 10 and 11 are fetched
+  [[nodiscard]] bool rows() const { return wv != 0; }
+};
+
+/// The four taps' order everywhere: 00, 10, 01, 11 (bit 0 is the column, bit 1 the row).
+inline constexpr unsigned kTaps = 4;
+
+struct LevelChoice {
+  int level = 0, weight = 0;
+};
+
+/// U1, one direction.
+[[nodiscard]] Value probe_coordinate(Value u, Value axis, int probe, int probes_log2);
+/// U2, one texture.
+[[nodiscard]] LevelChoice choose_level(Mip mip, Value lod, int levels);
+/// U3
+[[nodiscard]] Value wrap_coordinate(Wrap wrap, Value u);
+/// U4 and U5, one direction: both indices and the weight between them.
+struct Columns {
+  std::int32_t i0 = 0, i1 = 0;
+  int weight = 0;
+};
+[[nodiscard]] Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped, int size);
+
+/// How many footprints a fragment has a probe: 1 or 2.
+[[nodiscard]] int footprint_count(const Draw& draw, const UnitFragment& fragment);
+
+/// U1 to U5 of one texture (0 map, 1 colour) for one probe and footprint.
+[[nodiscard]] Footprint make_footprint(const Draw& draw, const UnitFragment& fragment, int texture,
+                                       int probe, int footprint);
+
+/// U6: line and word of a texel.
+struct TexelPlace {
+  std::uint32_t line = 0;
+  unsigned word = 0;  ///< 0..15
+};
+[[nodiscard]] TexelPlace place_of(const TextureLevels& texture, int planes, int level, int plane,
+                                  std::int32_t i, std::int32_t j);
+
+}  // namespace ptm::reference

@@ -1,0 +1,68 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "model/reference/eval_config.h"
+#include "model/reference/fragment.h"
+#include "model/reference/luminance.h"
+
+/// Draw descriptors: docs/spec/unit.md, "Draw descriptor". Enumerators are the registers' codes.
+namespace ptm::reference {
+
+inline constexpr int kDraws = 4;
+inline constexpr int kLevelsMax = 13;
+inline constexpr int kLineBits = 26;
+
+enum class TextureFormat : std::uint8_t { none, lrgb, rgb, palette_lrgb, palette_rgb };
+enum class Mip : std::uint8_t { none, nearest, linear };
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
+enum class Combine : std::uint8_t { none, modulate, decal, blend, add, replace };
+
+/// One texture as the unit addresses it.
+struct TextureLevels {
+  int width = 1, height = 1;  ///< of level 0; level l is max(1, W >> l)
+  int levels = 1;
+  std::array<std::uint32_t, kLevelsMax> base{};  ///< line address of each level
+  bool operator==(const TextureLevels&) const = default;
+
+  [[nodiscard]] constexpr int level_width(int l) const { return level_side(width, l); }
+  [[nodiscard]] constexpr int level_height(int l) const { return level_side(height, l); }
+  [[nodiscard]] static constexpr int level_side(int side, int l) {
+    return (side >> l) > 1 ? side >> l : 1;
+  }
+};
+
+struct Draw {
+  TextureFormat format = TextureFormat::lrgb;
+  bool bilinear = true;
+  Mip mip = Mip::none;
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  Combine combine = Combine::none;
+  bool color = false;   ///< a colour texture is fetched
+  Value color_lod = 0;  ///< Q5.8, added to lod for the colour texture
+  TextureLevels map, color_texture;
+  Six<Value> bias{}, shift{};
+  int palette = 0;
+  Value ka = 0, kd = 256, ks = 0;  ///< Q1.8
+  bool operator==(const Draw&) const = default;
+};
+
+/// Planes of 32-bit words of the map, 0 for none.
+[[nodiscard]] constexpr int map_planes(TextureFormat format) {
+  constexpr std::array<int, 5> planes{0, 3, 6, 1, 1};
+  return planes[static_cast<std::size_t>(format)];
+}
+/// Words of a draw: the map's planes, then the colour texture.
+[[nodiscard]] constexpr int draw_words(const Draw& draw) {
+  return map_planes(draw.format) + (draw.color ? 1 : 0);
+}
+/// Evaluator passes of one fragment.
+[[nodiscard]] constexpr int draw_passes(const Draw& draw) {
+  return draw.format == TextureFormat::rgb || draw.format == TextureFormat::palette_rgb ? 3 : 1;
+}
+
+/// Error bits of `unit.md`, "Legal"; 0 for a draw that can be drawn from a memory of that size.
+enum DrawError : unsigned { kBadSize = 1, kBadLevels = 2, kBadAddress = 4, kBadControl = 8 };
+[[nodiscard]] unsigned check_draw(const Draw& draw, std::uint64_t memory_lines);
+
+}  // namespace ptm::reference

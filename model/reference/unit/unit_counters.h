@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "model/reference/unit/draw.h"
+
+namespace ptm::reference {
+
+/// Counter numbers of docs/spec/unit-timing.md; the registers' order.
+enum class UnitCounter : std::uint8_t {
+  fragments,
+  pixels,
+  cycles,
+  cycles_moved,
+  cycles_output_blocked,
+  cycles_line_wait,
+  cycles_ring_full,
+  cycles_input_empty,
+  beats,
+  bank_conflicts,
+  words,
+  taps,
+  tag_hits,
+  tag_misses,
+  lines_read,
+  duplicate_lines,
+  palette_lookups,
+  multiplies_address,
+  multiplies_filter,
+  multiplies_eval,
+  multiplies_combine,
+  texture_first
+};
+inline constexpr std::size_t kUnitCounters = 21 + 4 * kDraws;
+
+/// Names, in order; the last sixteen are "hits_d0_map", "misses_d0_map", "hits_d0_color", ...
+[[nodiscard]] const std::array<std::string_view, kUnitCounters>& unit_counter_names();
+
+struct UnitCounters {
+  std::array<std::uint64_t, kUnitCounters> value{};
+  [[nodiscard]] std::uint64_t& operator[](UnitCounter c) {
+    return value[static_cast<std::size_t>(c)];
+  }
+  [[nodiscard]] std::uint64_t operator[](UnitCounter c) const {
+    return value[static_cast<std::size_t>(c)];
+  }
+  /// texture 0 is the map, 1 the colour texture
+  [[nodiscard]] std::uint64_t& hits(int draw, int texture) { return value[at(draw, texture)]; }
+  [[nodiscard]] std::uint64_t& misses(int draw, int texture) {
+    return value[at(draw, texture) + 1];
+  }
+  bool operator==(const UnitCounters&) const = default;
+
+ private:
+  static std::size_t at(int draw, int texture) {
+    return static_cast<std::size_t>(21 + 4 * draw + 2 * texture);
+  }
+};
+
+}  // namespace ptm::reference

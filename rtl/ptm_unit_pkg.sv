@@ -1,0 +1,96 @@
+// Formats of the texture unit's streams and descriptors: docs/spec/unit.md and unit-timing.md.
+// Widths that depend on EvalConfig are the largest it may ask for. Twin: model/reference/unit/.
+package ptm_unit_pkg;
+  localparam int Draws     = 4;
+  localparam int DrawBits  = 2;
+  localparam int LevelsMax = 13;
+  localparam int LineBits  = 26;
+  localparam int PixelBits = 14;  // x, y
+  localparam int CoordBits = 29;  // Q8.20 with a sign
+  localparam int LodBits   = 12;  // Q4.8
+  localparam int LightMax  = 17;  // light_int + light_frac
+  localparam int SideBits  = 13;  // a texture's width or height
+  localparam int IndexBits = 12;  // of a texel in its row
+  localparam int Fields    = 26;  // of a filtered fragment
+
+  localparam logic [2:0] FormatNone = 0, FormatLrgb = 1, FormatRgb = 2, FormatPaletteLrgb = 3,
+                         FormatPaletteRgb = 4;
+  localparam logic [1:0] MipNone = 0, MipNearest = 1, MipLinear = 2;
+  localparam logic [1:0] WrapRepeat = 0, WrapMirror = 1, WrapClamp = 2;
+  localparam logic [2:0] CombineNone = 0, CombineModulate = 1, CombineDecal = 2, CombineBlend = 3,
+                         CombineAdd = 4, CombineReplace = 5;
+
+  typedef struct packed {
+    logic [SideBits-1:0]                 width;
+    logic [SideBits-1:0]                 height;
+    logic [3:0]                          levels;
+    logic [LevelsMax-1:0][LineBits-1:0]  base;
+  } texture_t;
+
+  typedef struct packed {
+    logic [2:0]         format;
+    logic               bilinear;
+    logic [1:0]         mip;
+    logic [1:0]         wrap_u;
+    logic [1:0]         wrap_v;
+    logic [2:0]         combine;
+    logic               color;
+    logic signed [12:0] color_lod;
+    texture_t           ptm;
+    texture_t           color_texture;
+    logic [5:0][11:0]   bias;
+    logic [5:0][4:0]    shift;
+    logic [1:0]         palette;
+    logic [8:0]         ka;
+    logic [8:0]         kd;
+    logic [8:0]         ks;
+  } draw_t;
+
+  typedef struct packed {
+    logic [PixelBits-1:0]        x;
+    logic [PixelBits-1:0]        y;
+    logic signed [CoordBits-1:0] u;
+    logic signed [CoordBits-1:0] v;
+    logic [LodBits-1:0]          lod;
+    logic signed [CoordBits-1:0] axis_u;
+    logic signed [CoordBits-1:0] axis_v;
+    logic [2:0]                  probes_log2;
+    logic signed [LightMax-1:0]  lu;
+    logic signed [LightMax-1:0]  lv;
+    logic                        lit;
+    logic [DrawBits-1:0]         draw;
+  } fragment_t;
+
+  // Weights and taps of one texture in one footprint
+  typedef struct packed {
+    logic [7:0] wu;       // along u, 0 for point sampling
+    logic [7:0] wv;
+    logic [7:0] f;        // level weight of U2; not 0: the texture has two footprints
+    logic       fetched;  // 0: the second footprint of a texture whose f is 0
+  } weights_t;
+
+  // What travels with a beat (or sub-beat) from A3 to O, beside its look-ups and taps
+  typedef struct packed {
+    logic [PixelBits-1:0]       x;
+    logic [PixelBits-1:0]       y;
+    logic signed [LightMax-1:0] lu;
+    logic signed [LightMax-1:0] lv;
+    logic                       lit;
+    logic [DrawBits-1:0]        draw;
+    logic [2:0]                 probes_log2;
+    logic                       first_probe;  // of the fragment
+    logic                       second;       // footprint m = 1
+    logic [2:0]                 group;        // beat of the footprint: words group * tmus ..
+    weights_t                   ptm;
+    weights_t                   color;
+    logic                       last;         // beat of the fragment
+    logic                       sub_last;     // sub-beat of its beat
+  } beat_t;
+
+  // What D hands to the palette stage and the filter, beside beat_t: for each TMU its four taps
+  // 00 10 01 11 (tap t's word at [t]) and which of them this sub-beat fetched.
+  typedef struct packed {
+    logic [3:0]       fetched;
+    logic [3:0][31:0] word;
+  } taps_t;
+endpackage
