@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "golden/files/image.h"
+#include "model/reference/unit/unit_config.h"
+#include "model/reference/unit/unit_counters.h"
 
 namespace ptm::testbench {
 
@@ -44,12 +46,42 @@ struct PresetFrames {
   std::vector<golden::ImageReal> frames;
 };
 
+/// One timed model of the whole unit: "pipeline" is the timing `exact`, "loose" the other one.
+struct UnitTiming {
+  std::string model;  ///< "pipeline", "loose" or "rtl"
+  double seconds = 0;
+  reference::UnitCounters counters;  ///< over all frames
+  /// Lines that arrived in each window of `UnitSection::window` cycles, frames one after another;
+  /// empty for loose.
+  std::vector<std::uint32_t> lines_per_window;
+};
+
+/// A draw of the scene, for the table of hit rates.
+struct UnitDraw {
+  std::string object;           ///< as the scene names it
+  std::string texture;          ///< of the map; empty if it has none
+  std::string color;            ///< of the colour texture; empty if it has none
+  double cycles_per_pixel = 0;  ///< warm, by the formula of docs/spec/unit-timing.md
+};
+
+/// What only scenes of the whole unit have (docs/spec/unit-timing.md).
+struct UnitSection {
+  reference::UnitConfig config;
+  std::string memory;        ///< one sentence
+  std::uint64_t window = 1;  ///< cycles
+  std::vector<UnitDraw> draws;
+  std::vector<UnitTiming> timings;
+  std::uint64_t late_pixels = 0;                ///< pipeline against rtl, 0 if one did not run
+  std::vector<std::string> differing_counters;  ///< pipeline against rtl
+};
+
 struct RunResult {
   std::string scene_file, map_file, map_format, preset;
   int width = 0, height = 0;
   std::vector<std::array<double, 2>> lights;  ///< (lu, lv), one a frame
   std::vector<ModelResult> models;            ///< in the order golden, reference, pipeline, rtl
   std::vector<PresetFrames> presets;          ///< for the table "error against golden per preset"
+  std::optional<UnitSection> unit;            ///< nothing for a flat map
   PixelProbe probe;
   std::vector<std::string> notes;  ///< said to the user as they are
 };
