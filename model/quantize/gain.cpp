@@ -38,6 +38,18 @@ std::vector<double> equalize_strength(std::span<double> coef, std::span<const st
   return norms;
 }
 
+std::vector<double> color_weights(std::span<const std::uint8_t> color,
+                                  std::span<const double> factors) {
+  std::vector<double> weights(factors.size());
+  for (std::size_t t = 0; t < weights.size(); ++t) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      weights[t] += std::pow(factors[t] * color[t * 3 + c] / 255, 2) / 3;
+    }
+  }
+  const bool black = std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
+  return black ? std::vector<double>{} : weights;
+}
+
 std::vector<std::uint8_t> refit_colors(std::span<const double> real, std::span<const double> stored,
                                        std::span<const std::uint8_t> color, const Gram& gram) {
   check_texels(real.size(), color.size());

@@ -21,6 +21,11 @@ namespace ptm::quantize {
                                                     std::span<const std::uint8_t> color,
                                                     const Gram& gram);
 
+/// How much each texel's luminance shows once its colour is multiplied by its factor, the weights
+/// of make_palette(): |factor * colour|^2 / 3 / 255^2. Empty if nothing shows.
+[[nodiscard]] std::vector<double> color_weights(std::span<const std::uint8_t> color,
+                                                std::span<const double> factors);
+
 /// The colours with which stored polynomials `p` come nearest to colour * L of the polynomials `a`
 /// that they stand for, over the lights of G:
 ///

@@ -76,20 +76,6 @@ Held hold(const PtmMap& map, const EvalConfig& config,
   return held;
 }
 
-/// How much a texel's luminance shows once its colour is multiplied by its factor:
-/// |factor * colour|^2 / 3 / 255^2. Empty if nothing shows.
-std::vector<double> color_weights(const std::vector<std::uint8_t>& color,
-                                  const std::vector<double>& factors) {
-  std::vector<double> weights(color.size() / 3);
-  for (std::size_t t = 0; t < weights.size(); ++t) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      weights[t] += std::pow(factors[t] * color[t * 3 + c] / 255, 2) / 3;
-    }
-  }
-  const bool black = std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; });
-  return black ? std::vector<double>{} : weights;
-}
-
 }  // namespace
 
 SteppedMap hold_map(const PtmMap& map, const EvalConfig& config, quantize::Dither dither) {
@@ -113,7 +99,8 @@ SteppedMap palette_map(const PtmMap& map, const EvalConfig& config,
   for (double& a : real_coef) a = std::clamp(a, -1e9, 1e9);
   std::vector<double> coef = real_coef;
   if (held.kind == MapKind::lrgb) {
-    weights = color_weights(held.color, quantize::equalize_strength(coef, held.color, gram));
+    weights =
+        quantize::color_weights(held.color, quantize::equalize_strength(coef, held.color, gram));
   }
   const quantize::RealMap real{map.width, map.height, held.stored.polynomials, coef};
   const quantize::Palette palette = quantize::make_palette(real, weights, options, gram);

@@ -1,0 +1,195 @@
+#include "testbench/run/unit_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/quantize/gain.h"
+#include "model/quantize/mip.h"
+#include "model/quantize/palette.h"
+
+namespace ptm::testbench {
+namespace {
+
+using reference::EvalConfig;
+using reference::StoredTexture;
+
+/// A texture's levels before they are stored.
+struct RealLevels {
+  std::vector<quantize::RealLevel> levels;
+  std::vector<std::vector<std::uint8_t>> color;  ///< of each level; empty for three polynomials
+};
+
+std::vector<std::uint8_t> to_bytes(const std::vector<double>& values) {
+  std::vector<std::uint8_t> bytes(values.size());
+  std::transform(values.begin(), values.end(), bytes.begin(), [](double value) {
+    return static_cast<std::uint8_t>(std::clamp(std::floor(value + 0.5), 0.0, 255.0));
+  });
+  return bytes;
+}
+
+/// Bytes of a picture halved again and again, each level from the unrounded one above.
+std::vector<std::vector<std::uint8_t>> halve_bytes(const std::vector<std::uint8_t>& top, int width,
+                                                   int height, int channels, int levels) {
+  std::vector<std::vector<std::uint8_t>> all{top};
+  std::vector<double> values(top.begin(), top.end());
+  for (int level = 1; level < levels; ++level) {
+    values = quantize::halve(values, width, height, channels);
+    width = quantize::half_side(width);
+    height = quantize::half_side(height);
+    all.push_back(to_bytes(values));
+  }
+  return all;
+}
+
+RealLevels make_levels(const RealTexture& texture, const std::vector<double>& coef,
+                       const std::vector<std::uint8_t>& color, int levels) {
+  RealLevels made;
+  const auto polynomials = static_cast<int>(texture.real.polynomials);
+  made.levels.push_back({texture.width, texture.height, polynomials, coef});
+  if (levels > 1) {
+    for (quantize::RealLevel& level : quantize::mip_levels(made.levels[0].view())) {
+      if (static_cast<int>(made.levels.size()) < levels) made.levels.push_back(std::move(level));
+    }
+  }
+  if (polynomials == 1) {
+    made.color =
+        halve_bytes(color, texture.width, texture.height, 3, static_cast<int>(made.levels.size()));
+  }
+  return made;
+}
+
+StoredTexture stored_texture(const quantize::StoredMap& stored, std::vector<std::uint8_t> color) {
+  StoredTexture texture;
+  texture.width = stored.width;
+  texture.height = stored.height;
+  texture.rgb = stored.polynomials == 3;
+  texture.coef = stored.coef;
+  texture.color = std::move(color);
+  std::copy(stored.bias.begin(), stored.bias.end(), texture.bias.begin());
+  std::copy(stored.shift.begin(), stored.shift.end(), texture.shift.begin());
+  return texture;
+}
+
+void take_grid(const quantize::Grid& grid, UnitMap& map) {
+  std::copy(grid.bias.begin(), grid.bias.end(), map.bias.begin());
+  std::copy(grid.shift.begin(), grid.shift.end(), map.shift.begin());
+}
+
+/// All levels' texels in a row, so that one palette serves them.
+struct Flat {
+  std::vector<double> coef;
+  std::vector<std::uint8_t> color;
+};
+Flat flatten(const RealLevels& levels) {
+  Flat flat;
+  for (const quantize::RealLevel& level : levels.levels) {
+    flat.coef.insert(flat.coef.end(), level.coef.begin(), level.coef.end());
+  }
+  for (const auto& color : levels.color) {
+    flat.color.insert(flat.color.end(), color.begin(), color.end());
+  }
+  return flat;
+}
+
+}  // namespace
+
+RealTexture real_texture(const golden::PtmMap& map) {
+  RealTexture texture{map.width, map.height, real_polynomials(map), {}, map};
+  if (map.kind == golden::MapKind::lrgb) texture.color = map.color;
+  return texture;
+}
+
+int full_levels(int width, int height) {
+  int levels = 1;
+  for (int side = std::max(width, height); side > 1; side /= 2) ++levels;
+  return levels;
+}
+
+UnitMap store_unit_map(const RealTexture& texture, int levels, const EvalConfig& config) {
+  const quantize::Gram gram = quantize::hemisphere_gram();
+  UnitMap map;
+  map.rgb = texture.real.polynomials == 3;
+  std::vector<double> coef = texture.real.coef;
+  std::vector<std::uint8_t> color = texture.color;
+  quantize::Import import{std::nullopt, "its coefficients are real"};
+  if (texture.file) import = import_map(*texture.file, config);
+  if (!import.map && !map.rgb) {
+    quantize::balance_luminance(coef, color, hemisphere_lights(), config);
+  }
+  const RealLevels real = make_levels(texture, coef, color, levels);
+  quantize::StoredMap top = import.map ? std::move(*import.map)
+                                       : quantize::quantize(real.levels[0].view(), config,
+                                                            quantize::Method::nearest_plane, gram);
+  const quantize::Grid grid{top.bias, top.shift};
+  take_grid(grid, map);
+  map.how = import.map ? "taken verbatim" : "quantised because " + import.why_not;
+  for (std::size_t l = 0; l < real.levels.size(); ++l) {
+    const quantize::StoredMap stored =
+        l == 0 ? std::move(top)
+               : quantize::quantize_on_grid(real.levels[l].view(), grid, config,
+                                            quantize::Method::nearest_plane, gram);
+    map.levels.push_back(
+        stored_texture(stored, map.rgb ? std::vector<std::uint8_t>{} : real.color[l]));
+  }
+  return map;
+}
+
+UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,
+                           const EvalConfig& config) {
+  const quantize::Gram gram = quantize::hemisphere_gram();
+  UnitMap map;
+  map.rgb = texture.real.polynomials == 3;
+  const RealLevels real = make_levels(texture, texture.real.coef, texture.color, levels);
+  Flat flat = flatten(real);
+  for (double& a : flat.coef) a = std::clamp(a, -1e9, 1e9);  // beyond it no shift holds one
+  const std::vector<double> before = flat.coef;
+  std::vector<double> weights;
+  if (!map.rgb) {
+    weights = quantize::color_weights(flat.color,
+                                      quantize::equalize_strength(flat.coef, flat.color, gram));
+  }
+  const int polynomials = map.rgb ? 3 : 1;
+  const auto texels = static_cast<int>(flat.coef.size()) / (6 * polynomials);
+  const quantize::RealMap all{texels, 1, polynomials, flat.coef};
+  const quantize::Palette palette =
+      quantize::make_palette(all, weights, {.entries = entries}, gram);
+  const quantize::StoredMap table =
+      quantize::quantize(palette.view(), config, quantize::Method::nearest_plane, gram);
+  take_grid({table.bias, table.shift}, map);
+  map.palette = table.coef;
+  if (!map.rgb) {
+    const quantize::StoredMap stored =
+        quantize::store_palette(all, palette, {table.bias, table.shift}, config, gram);
+    flat.color = quantize::refit_colors(before, quantize::dequantize(stored), flat.color, gram);
+  }
+  auto index = palette.index.begin();
+  auto color = flat.color.begin();
+  for (const quantize::RealLevel& level : real.levels) {
+    const auto count = static_cast<std::ptrdiff_t>(level.width) * level.height;
+    reference::StoredPaletteMap& stored = map.indexed.emplace_back();
+    stored.width = level.width;
+    stored.height = level.height;
+    stored.rgb = map.rgb;
+    stored.index.assign(index, index + count);
+    index += count;
+    if (map.rgb) continue;
+    stored.color.assign(color, color + 3 * count);
+    color += 3 * count;
+  }
+  map.how = "a palette of " + std::to_string(palette.entries()) + " entries";
+  return map;
+}
+
+std::vector<reference::StoredPicture> picture_levels(const reference::StoredPicture& picture,
+                                                     int levels) {
+  std::vector<reference::StoredPicture> all;
+  int width = picture.width, height = picture.height;
+  for (auto& bytes : halve_bytes(picture.rgba, width, height, 4, levels)) {
+    all.push_back({width, height, std::move(bytes)});
+    width = quantize::half_side(width);
+    height = quantize::half_side(height);
+  }
+  return all;
+}
+
+}  // namespace ptm::testbench
