@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "golden/files/image.h"
+#include "golden/render/light_map.h"
+#include "golden/render/mip_levels.h"
+#include "golden/scene/surface_samples.h"
+
+/// Shades a unit scene in double precision: what docs/spec/unit.md does, without its rounding and
+/// in the right order, lights first and filters then.
+namespace ptm::golden {
+
+/// A scene's textures with their mip levels, ready to be sampled.
+class UnitRenderer {
+ public:
+  /// Builds the levels that the scene's filters ask for. The textures must stay where they are.
+  UnitRenderer(const UnitScene& scene, const LoadedTextures& textures);
+
+  /// The colour of one sample, levels, not rounded.
+  ///
+  ///     P = 1/N sum over probes of the filtered map, lit texel by texel and clamped to [0, 255];
+  ///         0 if !sample.lit.   C, Ca: the colour texture, filtered alike, lod + color_lod.
+  ///     none P, modulate P C / 255, decal (C Ca + P (255 - Ca)) / 255,
+  ///     blend min(255, kd P + ka C), add min(255, P + C), replace C
+  ///
+  /// `light` is sample.light or sample.light_vertex, as the caller wants it.
+  [[nodiscard]] Rgb shade(const SurfaceSample& sample, const std::array<double, 2>& light) const;
+
+  /// The yardstick: instead of the filter, texels of level 0 averaged over the parallelogram that
+  /// the pixel covers (area_average.h), map and colour each; then combined as above.
+  [[nodiscard]] Rgb area_average(const SurfaceSample& sample,
+                                 const std::array<double, 2>& light) const;
+
+ private:
+  const UnitScene* scene_;
+  const LoadedTextures* textures_;
+  std::vector<MipTexture> mips_;    ///< one a texture
+  std::vector<double> color_lods_;  ///< one a draw
+};
+
+enum class LightFrom : std::uint8_t { pixel, vertex };
+
+/// A picture of samples, [height][width][3], background elsewhere. Runs on all cores.
+[[nodiscard]] ImageReal render_samples(const UnitScene& scene, const UnitRenderer& renderer,
+                                       std::span<const SurfaceSample> samples,
+                                       LightFrom light = LightFrom::pixel);
+/// The same by area_average().
+[[nodiscard]] ImageReal exact_area_average(const UnitScene& scene, const UnitRenderer& renderer,
+                                           std::span<const SurfaceSample> samples,
+                                           LightFrom light = LightFrom::pixel);
+
+}  // namespace ptm::golden
