@@ -50,6 +50,7 @@ struct SurfaceSample {
 
 inline constexpr double kGrazingCosine = 1e-6;
 inline constexpr double kLargestDerivative = 64;
+inline constexpr double kSmallestFootprint = 0x1p-32;  ///< texels; keeps lod finite
 
 /// What is added to `lod` for a draw's colour texture: log2 max(Wc / Wm, Hc / Hm); 0 without a map.
 [[nodiscard]] double color_lod(const DrawSpec& draw, const LoadedTextures& textures);

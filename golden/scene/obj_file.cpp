@@ -1,0 +1,167 @@
+#include "golden/scene/obj_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+#include "golden/files/number_text.h"
+
+namespace ptm::golden {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\f\v";
+
+std::string in_quotes(std::string_view text) {
+  std::string out = "'";
+  out.append(quoted(text)).append("'");
+  return out;
+}
+
+class ObjReader {
+ public:
+  explicit ObjReader(const std::filesystem::path& path) : path_(path) {}
+
+  ObjMesh read() {
+    std::error_code ignored;
+    std::ifstream in(path_, std::ios::binary);
+    if (!in || std::filesystem::is_directory(path_, ignored)) {
+      throw InputError(path_.string(), "file", "no readable file", "a Wavefront OBJ");
+    }
+    std::string whole;
+    for (std::string line; std::getline(in, line);) {
+      ++line_;
+      while (!line.empty() && line.back() == '\r') line.pop_back();
+      const bool goes_on = line.ends_with('\\');
+      if (goes_on) line.back() = ' ';
+      whole += line;
+      if (goes_on) continue;
+      take(whole);
+      whole.clear();
+    }
+    take(whole);
+    if (mesh_.triangles.empty()) {
+      throw InputError(path_.string(), "the file", "no triangle that has an area", "faces (f)");
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& found, const std::string& expected) const {
+    throw InputError(path_.string(), "line " + std::to_string(line_), found, expected);
+  }
+
+  static std::vector<std::string_view> fields_of(std::string_view text) {
+    std::vector<std::string_view> fields;
+    for (;;) {
+      const std::size_t first = text.find_first_not_of(kBlanks);
+      if (first == std::string_view::npos) return fields;
+      text.remove_prefix(first);
+      const std::size_t last = std::min(text.find_first_of(kBlanks), text.size());
+      fields.push_back(text.substr(0, last));
+      text.remove_prefix(last);
+    }
+  }
+
+  void take(std::string_view text) {
+    const auto fields = fields_of(text.substr(0, text.find('#')));
+    if (fields.empty()) return;
+    const std::string_view key = fields[0];
+    if (key == "v") {
+      const auto n = numbers(fields, 3);
+      mesh_.positions.emplace_back(n[0], n[1], n[2]);
+    } else if (key == "vn") {
+      const auto n = numbers(fields, 3);
+      mesh_.normals.emplace_back(n[0], n[1], n[2]);
+      if (!(mesh_.normals.back().norm() > 0)) fail("a normal of no length", "a direction");
+    } else if (key == "vt") {
+      take_texcoord(fields);
+    } else if (key == "f") {
+      take_face(fields);
+    } else if (std::find(kPassed.begin(), kPassed.end(), key) == kPassed.end()) {
+      fail(in_quotes(key), "v, vt, vn or f");
+    }
+  }
+
+  void take_texcoord(const std::vector<std::string_view>& fields) {
+    const auto n = numbers(fields, 1);
+    mesh_.texcoords.push_back({n[0], fields.size() > 2 ? number(fields[2]) : 0.0});
+  }
+
+  double number(std::string_view text) const {
+    const auto value = parse_real(text);
+    // Beyond that squares of lengths are no numbers any more.
+    if (!value || std::abs(*value) > 1e100) fail(in_quotes(text), "a finite number");
+    return *value;
+  }
+
+  std::array<double, 3> numbers(const std::vector<std::string_view>& fields,
+                                std::size_t count) const {
+    if (fields.size() < count + 1) {
+      fail(std::to_string(fields.size() - 1) + " numbers", std::to_string(count));
+    }
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < count; ++i) values[i] = number(fields[i + 1]);
+    return values;
+  }
+
+  int index(std::string_view text, std::size_t count, const char* what) const {
+    const auto most =
+        static_cast<std::int64_t>(std::min<std::size_t>(count, std::numeric_limits<int>::max()));
+    const auto value = parse_integer(text, -most, most);
+    if (!value || *value == 0) {
+      fail(in_quotes(text),
+           std::string("an index of one of the ") + std::to_string(count) + " " + what + " so far");
+    }
+    return static_cast<int>(*value > 0 ? *value - 1 : most + *value);
+  }
+
+  /// "7", "7/2", "7//3" or "7/2/3".
+  ObjCorner corner(std::string_view text) const {
+    std::array<std::string_view, 3> parts;
+    std::size_t n = 0;
+    for (std::string_view rest = text;; ++n) {
+      if (n == 3) fail(in_quotes(text), "at most v/vt/vn");
+      const std::size_t slash = rest.find('/');
+      parts[n] = rest.substr(0, slash);
+      if (slash == std::string_view::npos) break;
+      rest.remove_prefix(slash + 1);
+    }
+    ObjCorner c;
+    c.position = index(parts[0], mesh_.positions.size(), "v");
+    if (!parts[1].empty()) c.texture = index(parts[1], mesh_.texcoords.size(), "vt");
+    if (!parts[2].empty()) c.normal = index(parts[2], mesh_.normals.size(), "vn");
+    return c;
+  }
+
+  [[nodiscard]] bool has_area(const ObjTriangle& triangle) const {
+    const auto at = [&](std::size_t k) {
+      return mesh_.positions[static_cast<std::size_t>(triangle.corners[k].position)];
+    };
+    return (at(1) - at(0)).cross(at(2) - at(0)).norm() > 0;
+  }
+
+  void take_face(const std::vector<std::string_view>& fields) {
+    if (fields.size() < 4) fail(std::to_string(fields.size() - 1) + " corners", "three or more");
+    const ObjCorner first = corner(fields[1]);
+    ObjCorner before = corner(fields[2]);
+    for (std::size_t i = 3; i < fields.size(); ++i) {
+      const ObjCorner next = corner(fields[i]);
+      const ObjTriangle triangle{{first, before, next}, line_};
+      if (has_area(triangle)) mesh_.triangles.push_back(triangle);
+      before = next;
+    }
+  }
+
+  static constexpr std::array<std::string_view, 7> kPassed{"o",      "g", "s", "usemtl",
+                                                           "mtllib", "l", "p"};
+  std::filesystem::path path_;
+  int line_ = 0;
+  ObjMesh mesh_;
+};
+
+}  // namespace
+
+ObjMesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
+
+}  // namespace ptm::golden

@@ -1,0 +1,188 @@
+#include "golden/scene/surface_samples.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "golden/scene/camera.h"
+#include "golden/scene/placed_object.h"
+
+namespace ptm::golden {
+namespace {
+
+/// A ray's hit as seen: with the side that the normal looks to.
+struct Seen {
+  const PlacedObject* object = nullptr;
+  SurfacePlace place;
+  SurfacePoint point;
+  double t = 0;
+  double side = 1;  ///< -1: the surface's back is seen
+};
+
+struct LocalLight {
+  std::array<double, 2> uv{};
+  bool lit = true;
+};
+
+LocalLight local_light(const LightSpec& light, const SurfacePoint& point, double side) {
+  if (light.kind == LightKind::local) return {{light.vector.x(), light.vector.y()}, true};
+  const Vec3 toward =
+      light.kind == LightKind::point ? Vec3(light.vector - point.position) : light.vector;
+  // A lamp in the surface itself shines from nowhere.
+  if (!(toward.norm() > 0)) return {{0, 0}, false};
+  const Vec3 facing = side * point.normal;
+  // The side seen is the geometry's to say: a file's normals may look either way.
+  const Vec3 n = std::copysign(1.0, point.shading.dot(facing)) * point.shading;
+  const Vec3 l = toward.normalized();
+  const auto within = [&](const Vec3& direction) { return Vec3(direction - direction.dot(n) * n); };
+  Vec3 tangent = within(point.along_u);
+  if (!(tangent.norm() > 1e-12 * point.along_u.norm())) tangent = n.unitOrthogonal();
+  tangent.normalize();
+  Vec3 up = n.cross(tangent);
+  if (up.dot(point.along_v) > 0) up = -up;
+  return {{l.dot(tangent), l.dot(up)}, l.dot(n) > 0};
+}
+
+/// Change of the hit with the tangent plane.
+Vec3 moved(const Seen& seen, const Ray& ray, const Ray& change) {
+  const Vec3 shift = change.origin + seen.t * change.direction;
+  const Vec3& n = seen.point.normal;
+  const double least = kGrazingCosine * ray.direction.norm();
+  double cosine = n.dot(ray.direction);
+  if (std::abs(cosine) < least) cosine = std::copysign(least, cosine);
+  return shift - n.dot(shift) / cosine * ray.direction;
+}
+
+void set_derivatives(const Seen& seen, const PixelRay& ray, SurfaceSample& sample) {
+  const ObjectSpec& spec = seen.object->spec();
+  const double turn = seen.object->turn().value_or(kLargestDerivative);
+  const auto du = [&](const Vec3& dp) {
+    const double d = std::clamp(seen.point.gradient_u.dot(dp), -turn, turn) * spec.uv_scale[0];
+    return std::clamp(d, -kLargestDerivative, kLargestDerivative);
+  };
+  const auto dv = [&](const Vec3& dp) {
+    return std::clamp(seen.point.gradient_v.dot(dp) * spec.uv_scale[1], -kLargestDerivative,
+                      kLargestDerivative);
+  };
+  const Vec3 right = moved(seen, ray.ray, ray.dx), down = moved(seen, ray.ray, ray.dy);
+  sample.dudx = du(right);
+  sample.dvdx = dv(right);
+  sample.dudy = du(down);
+  sample.dvdy = dv(down);
+}
+
+void set_footprint(const LoadedTexture& texture, int most_probes, SurfaceSample& sample) {
+  const double dx = std::hypot(texture.width * sample.dudx, texture.height * sample.dvdx);
+  const double dy = std::hypot(texture.width * sample.dudy, texture.height * sample.dvdy);
+  const double major = std::max(dx, dy), minor = std::max(1.0, std::min(dx, dy));
+  int probes = 1;
+  sample.probes_log2 = 0;
+  while (probes < most_probes && probes * minor < major) {
+    probes *= 2;
+    ++sample.probes_log2;
+  }
+  sample.lod = std::log2(std::max(major, kSmallestFootprint) / probes);
+  sample.axis_u = (dx >= dy ? sample.dudx : sample.dudy) / probes;
+  sample.axis_v = (dx >= dy ? sample.dvdx : sample.dvdy) / probes;
+}
+
+class Sampler {
+ public:
+  Sampler(const UnitScene& scene, const LoadedTextures& textures, const LightSpec& light)
+      : scene_(scene), textures_(textures), light_(light), camera_(scene.camera, scene.size) {
+    for (const ObjectSpec& spec : scene.objects) objects_.emplace_back(spec);
+  }
+
+  /// A rectangle's samples in scan lines.
+  void add(int x0, int y0, int x1, int y1, std::vector<SurfaceSample>& samples) const {
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        const PixelRay ray = camera_.ray(x, y);
+        if (const auto seen = look(ray.ray)) samples.push_back(sample_at(x, y, ray, *seen));
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::optional<Seen> look(const Ray& ray) const {
+    std::optional<Seen> nearest;
+    for (const PlacedObject& object : objects_) {
+      const auto hit = object.intersect(ray);
+      if (!hit || (nearest && nearest->t <= hit->t)) continue;
+      nearest = Seen{.object = &object, .place = hit->place, .point = {}, .t = hit->t};
+    }
+    if (!nearest) return std::nullopt;
+    nearest->point = nearest->object->at(nearest->place);
+    nearest->side = nearest->point.normal.dot(ray.direction) > 0 ? -1 : 1;
+    return nearest;
+  }
+
+  [[nodiscard]] SurfaceSample sample_at(int x, int y, const PixelRay& ray, const Seen& seen) const {
+    const ObjectSpec& spec = seen.object->spec();
+    SurfaceSample sample{.x = x, .y = y};
+    sample.object = static_cast<int>(seen.object - objects_.data());
+    sample.draw = spec.draw;
+    sample.u = spec.uv_offset[0] + spec.uv_scale[0] * seen.point.u;
+    sample.v = spec.uv_offset[1] + spec.uv_scale[1] * seen.point.v;
+    set_derivatives(seen, ray, sample);
+    const DrawSpec& draw = scene_.draws[static_cast<std::size_t>(spec.draw)];
+    set_footprint(textures_[static_cast<std::size_t>(draw.main_texture())], draw.probes, sample);
+    set_light(seen, sample);
+    return sample;
+  }
+
+  void set_light(const Seen& seen, SurfaceSample& sample) const {
+    const LocalLight here = local_light(light_, seen.point, seen.side);
+    sample.light = sample.light_vertex = here.uv;
+    sample.lit = here.lit;
+    if (light_.kind == LightKind::local) return;
+    sample.light_vertex = {0, 0};
+    for (const WeightedCorner& corner : seen.object->corners(seen.place)) {
+      const LocalLight there = local_light(light_, seen.object->at(corner.place), seen.side);
+      for (std::size_t k = 0; k < 2; ++k) {
+        sample.light_vertex[k] += corner.weight * there.uv[k];
+      }
+    }
+  }
+
+  const UnitScene& scene_;
+  const LoadedTextures& textures_;
+  const LightSpec& light_;
+  Camera camera_;
+  std::vector<PlacedObject> objects_;
+};
+
+}  // namespace
+
+std::vector<SurfaceSample> make_samples(const UnitScene& scene, const LoadedTextures& textures,
+                                        int frame) {
+  const Sampler sampler(scene, textures, scene.lights.at(static_cast<std::size_t>(frame)));
+  const bool tiled = scene.traversal == Traversal::tiles;
+  const int wide = tiled ? scene.tile : scene.size[0], high = tiled ? scene.tile : 1;
+  const int across = (scene.size[0] + wide - 1) / wide, down = (scene.size[1] + high - 1) / high;
+  std::vector<std::vector<SurfaceSample>> parts(static_cast<std::size_t>(across) *
+                                                static_cast<std::size_t>(down));
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
+    const int x = static_cast<int>(n % static_cast<std::size_t>(across)) * wide;
+    const int y = static_cast<int>(n / static_cast<std::size_t>(across)) * high;
+    sampler.add(x, y, std::min(x + wide, scene.size[0]), std::min(y + high, scene.size[1]),
+                parts[n]);
+  });
+  std::vector<SurfaceSample> samples;
+  std::size_t count = 0;
+  for (const auto& part : parts) count += part.size();
+  samples.reserve(count);
+  for (const auto& part : parts) samples.insert(samples.end(), part.begin(), part.end());
+  return samples;
+}
+
+double color_lod(const DrawSpec& draw, const LoadedTextures& textures) {
+  if (draw.map < 0 || draw.color < 0) return 0;
+  const LoadedTexture& map = textures[static_cast<std::size_t>(draw.map)];
+  const LoadedTexture& color = textures[static_cast<std::size_t>(draw.color)];
+  return std::log2(std::max(static_cast<double>(color.width) / map.width,
+                            static_cast<double>(color.height) / map.height));
+}
+
+}  // namespace ptm::golden
