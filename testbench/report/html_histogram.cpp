@@ -4,25 +4,18 @@
 #include "testbench/compare/heat_map.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/report_html.h"
+#include "testbench/report/svg.h"
 
 namespace ptm::testbench::html {
 namespace {
 
+using svg::line;
+using svg::number;
+using svg::text_at;
+
 // The drawing's own units; the page scales it.
 constexpr double kWidth = 600, kLeft = 84, kRight = 12, kTop = 14, kPlot = 250, kHeight = 322;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
-
-std::string number(double value) { return fixed(value, 2); }
-
-std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\">" +
-         text + "</text>\n";
-}
-
-std::string line(const char* kind, double x1, double y1, double x2, double y2) {
-  return "<line class=\"" + std::string(kind) + "\" x1=\"" + number(x1) + "\" y1=\"" + number(y1) +
-         "\" x2=\"" + number(x2) + "\" y2=\"" + number(y2) + "\"/>\n";
-}
 
 /// Count to height: log10, one unit of it below 1 so that a single sample shows as a bar.
 struct CountAxis {
@@ -48,13 +41,6 @@ void add_count_axis(std::string& page, const CountAxis& axis) {
   page += line("axis", kLeft, kTop + kPlot, kWidth - kRight, kTop + kPlot);
 }
 
-/// Steps of 1, 2 or 5 times a power of ten, at most four on each side of zero.
-double tick_step(double reach) {
-  double step = std::pow(10, std::floor(std::log10(reach)) - 1);
-  for (int i = 0; reach / step > 4; ++i) step *= i % 3 == 1 ? 2.5 : 2;
-  return step;
-}
-
 struct ErrorAxis {
   double reach;  ///< levels from the middle to the edge
   [[nodiscard]] double x(double error) const {
@@ -63,8 +49,8 @@ struct ErrorAxis {
 };
 
 void add_error_axis(std::string& page, const ErrorAxis& axis) {
-  const double step = tick_step(axis.reach);
-  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  const double step = svg::tick_step(axis.reach);
+  const int digits = svg::tick_digits(step);
   const int most = static_cast<int>(axis.reach / step);
   for (int i = -most; i <= most; ++i) {
     const double x = axis.x(i * step);

@@ -7,11 +7,13 @@ std::string style() {
 :root { color-scheme: light dark;
   --paper: #fcfcfa; --ink: #1d2226; --soft: #59636b; --rule: #d5d9dc; --panel: #f2f3f1;
   --accent: #1f5f8b; --good: #1b6b3a; --good-bg: #e3f2e8; --bad: #a3201d; --bad-bg: #fbe6e4;
-  --mark: #fff1cf; --bar: #2f6f9f; }
+  --mark: #fff1cf; --bar: #2f6f9f; --moved: #2f6f9f; --blocked: #b07a00; --wait: #b8392f;
+  --ring: #7d4fa3; --empty: #8a949b; --second: #b8392f; }
 @media (prefers-color-scheme: dark) { :root {
   --paper: #14181b; --ink: #e4e7e9; --soft: #9aa5ad; --rule: #333b41; --panel: #1c2226;
   --accent: #7fbce6; --good: #7fd3a0; --good-bg: #14301f; --bad: #ff9c94; --bad-bg: #3d1a18;
-  --mark: #43380f; --bar: #6aaede; } }
+  --mark: #43380f; --bar: #6aaede; --moved: #5b9fd0; --blocked: #dba93a; --wait: #e8766b;
+  --ring: #b28ad6; --empty: #7d878e; --second: #ffab6b; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink);
   font: 15px/1.5 system-ui, -apple-system, "Segoe UI", "Liberation Sans", sans-serif; }
@@ -47,6 +49,28 @@ figcaption b { color: var(--ink); }
 svg { display: block; width: 100%; height: auto; max-width: 620px; }
 svg text { fill: var(--ink); font: 13px system-ui, "Liberation Sans", sans-serif; }
 svg .axis { stroke: var(--soft); } svg .grid { stroke: var(--rule); } svg .bar { fill: var(--bar); }
+svg.cycles { height: 26px; max-width: 940px; border-radius: 3px; }
+svg.cycles rect { stroke: var(--paper); stroke-width: 1.5px; vector-effect: non-scaling-stroke; }
+.cycle0 { fill: var(--moved); background: var(--moved); }
+.cycle1 { fill: var(--blocked); background: var(--blocked); }
+.cycle2 { fill: var(--wait); background: var(--wait); }
+.cycle3 { fill: var(--ring); background: var(--ring); }
+.cycle4 { fill: var(--empty); background: var(--empty); }
+.swatch { display: inline-block; width: 12px; height: 12px; border-radius: 2px;
+  margin-right: 7px; vertical-align: -1px; }
+.swatch.line0, .swatch.line1, .swatch.mean { height: 0; border-radius: 0; width: 22px;
+  vertical-align: 4px; border-top: 2.5px solid var(--bar); }
+.swatch.line1 { border-top: 2.5px dashed var(--second); }
+.swatch.mean { border-top: 1.5px dotted var(--ink); }
+.barname { margin: 12px 0 3px; font-size: 13px; color: var(--soft); }
+.barname b { color: var(--ink); margin-right: 6px; }
+figure.rate { max-width: 860px; } figure.rate .scroll { margin: 0; }
+figure.rate svg { max-width: none; min-width: 520px; }
+svg .area { fill: var(--bar); opacity: .2; }
+svg .rate0, svg .rate1 { fill: none; stroke: var(--bar); stroke-width: 1.5; }
+svg .rate1 { stroke: var(--second); stroke-dasharray: 5 3; }
+svg .mean { stroke: var(--ink); stroke-dasharray: 2 3; }
+td small { display: block; color: var(--soft); font-size: 12px; }
 .scroll { overflow-x: auto; margin: 10px 0 18px; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 14px; }
 caption { text-align: left; color: var(--soft); font-size: 13px; padding-bottom: 6px; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "testbench/report/html_text.h"
+#include "testbench/report/html_unit.h"
 
 namespace ptm::testbench {
 namespace html {
@@ -77,6 +78,7 @@ void add_summary(std::string& page, const RunResult& result, const RunComparison
           plural(result.models.size(), "model") + "</p>\n<h1>" + html_escape(result.scene_file) +
           "</h1>\n";
   add_verdict(page, result, comparison);
+  add_unit_verdict(page, result);
   add_accuracy(page, result, comparison);
   page += "<dl class=\"facts\">\n";
   add_fact(page, "Map", result.map_file);
@@ -96,7 +98,7 @@ void add_summary(std::string& page, const RunResult& result, const RunComparison
   page += "</dl>\n</header>\n";
 }
 
-void add_definitions(std::string& page) {
+void add_definitions(std::string& page, const RunResult& result) {
   page += R"(<footer>
 <h2>What the figures mean</h2>
 <dl>
@@ -110,8 +112,11 @@ are of absolute errors over all samples (pixels × channels × lights).</dd>
 Rec. 709 luma, windows wholly inside the picture, mean over the lights.</dd>
 <dt>Time</dt><dd>Wall time of the model alone, all lights,
 on the machine that made this report.</dd>
-</dl>
-<p>The same figures, unrounded, are in <code>report.json</code> beside this page.</p>
+)";
+  if (result.unit) add_unit_definitions(page);
+  page += R"(</dl>
+<p>The same figures, unrounded, or the counts they are made of, are in <code>report.json</code>
+beside this page.</p>
 </footer>
 )";
 }
@@ -141,10 +146,11 @@ std::string report_html(const RunResult& result, const RunComparison& comparison
   html::add_differences(page, result, comparison, pngs);
   html::add_pair_table(page, comparison);
   html::add_preset_table(page, result, comparison);
+  html::add_unit(page, result);
   html::add_cost_tables(page, result);
   html::add_worst_pixels(page, result, comparison);
   page += "</main>\n";
-  html::add_definitions(page);
+  html::add_definitions(page, result);
   page += "</body>\n</html>\n";
   return page;
 }

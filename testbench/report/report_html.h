@@ -31,7 +31,7 @@ void add_pair_table(std::string& page, const RunComparison& comparison);
 void add_preset_table(std::string& page, const RunResult& result, const RunComparison& comparison);
 void add_cost_tables(std::string& page, const RunResult& result);
 void add_worst_pixels(std::string& page, const RunResult& result, const RunComparison& comparison);
-void add_definitions(std::string& page);
+void add_definitions(std::string& page, const RunResult& result);
 
 /// A scale of the heat map's colours from 0 to `full_scale` levels.
 void add_heat_legend(std::string& page, double full_scale);

@@ -96,6 +96,7 @@ Json report_json(const RunResult& result, const RunComparison& comparison) {
     json["presets"].push_back(preset_json(preset));
   }
   for (const ProbedPixel& pixel : comparison.worst) json["worst"].push_back(pixel_json(pixel));
+  if (result.unit) json["unit"] = unit_json(*result.unit);
   json["notes"] = result.notes;
   return json;
 }

@@ -16,4 +16,7 @@ namespace ptm::testbench {
 [[nodiscard]] nlohmann::ordered_json report_json(const RunResult& result,
                                                  const RunComparison& comparison);
 
+/// Its member `unit`, which flat scenes do not have.
+[[nodiscard]] nlohmann::ordered_json unit_json(const UnitSection& unit);
+
 }  // namespace ptm::testbench

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "testbench/report/report.h"
-#include "tests/report/made_run.h"
+#include "tests/report/made_unit.h"
 
 namespace {
 
@@ -21,6 +21,8 @@ int main(int argc, char** argv) try {
   write(out / "one_light", ptm::tests::made_run(512, 512, 1));
   write(out / "many_lights", ptm::tests::made_run(96, 64, 14));
   write(out / "faulty", ptm::tests::made_faulty_run(160, 120, 2));
+  write(out / "unit", ptm::tests::made_unit_run(256, 256, 1));
+  write(out / "unit_late", ptm::tests::made_late_run(64, 64));
   ptm::testbench::RunResult bare = ptm::tests::made_run(1, 1, 1);
   bare.scene_file = "<script>alert('x')</script> & \"quoted\".toml";
   bare.models.resize(1);

@@ -1,0 +1,52 @@
+#include "testbench/report/report_json.h"
+
+namespace ptm::testbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json config_json(const reference::UnitConfig& config) {
+  return {{"tmus", config.tmus},
+          {"cache_kib", config.cache_kib},
+          {"ways", config.ways},
+          {"fragment_fifo", config.fragment_fifo},
+          {"miss_fifo", config.miss_fifo},
+          {"palette_lrgb_ports", config.palette_lrgb_ports},
+          {"palette_rgb_ports", config.palette_rgb_ports}};
+}
+
+Json name_or_null(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
+
+Json draw_json(const UnitDraw& draw) {
+  return {{"object", draw.object},
+          {"texture", name_or_null(draw.texture)},
+          {"color", name_or_null(draw.color)},
+          {"cycles_per_pixel", draw.cycles_per_pixel}};
+}
+
+Json timing_json(const UnitTiming& timing) {
+  Json counters = Json::object();
+  for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
+    counters[std::string(reference::unit_counter_names()[n])] = timing.counters.value[n];
+  }
+  return {{"seconds", timing.seconds},
+          {"counters", std::move(counters)},
+          {"lines_per_window", timing.lines_per_window}};
+}
+
+}  // namespace
+
+Json unit_json(const UnitSection& unit) {
+  Json json = {{"config", config_json(unit.config)},
+               {"memory", unit.memory},
+               {"window", unit.window},
+               {"draws", Json::array()},
+               {"timings", Json::object()},
+               {"late_pixels", unit.late_pixels},
+               {"differing_counters", unit.differing_counters}};
+  for (const UnitDraw& draw : unit.draws) json["draws"].push_back(draw_json(draw));
+  for (const UnitTiming& timing : unit.timings) json["timings"][timing.model] = timing_json(timing);
+  return json;
+}
+
+}  // namespace ptm::testbench
