@@ -1,5 +1,7 @@
 #pragma once
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "golden/scene/scene.h"
 #include "testbench/run/flat_job.h"
@@ -12,6 +14,7 @@ struct SceneRun {
   RunResult result;
   /// Pixels that pipeline and RTL let go in different cycles; nothing if one of them did not run.
   std::optional<std::uint64_t> late_pixels;
+  std::vector<std::string> faults;  ///< what ended a timed model early, "model: what"
 };
 
 /// Draws the scene with each model it names. Pipeline and RTL run in processes of their own while

@@ -42,7 +42,7 @@ EvalConfig eval_config(const UnitScene& scene) {
   }
 }
 
-MemoryChoice memory_choice(const golden::MemorySpec& spec) {
+pipeline::MemoryModel memory_model(const golden::MemorySpec& spec) {
   const auto cycles = [](int n) { return static_cast<pipeline::Cycle>(n); };
   switch (spec.kind) {
     case golden::MemoryKind::dram: {
@@ -80,21 +80,17 @@ std::string light_place(const UnitScene& scene, std::size_t frame) {
 
 }  // namespace
 
-std::unique_ptr<pipeline::MemoryTiming> make_memory(const MemoryChoice& choice) {
-  return std::visit([](const auto& memory) { return pipeline::make_memory(memory); }, choice);
-}
-
-std::string describe(const MemoryChoice& choice) {
-  if (const auto* fixed = std::get_if<pipeline::FixedMemory>(&choice)) {
+std::string describe(const pipeline::MemoryModel& memory) {
+  if (const auto* fixed = std::get_if<pipeline::FixedMemory>(&memory)) {
     return "fixed: " + std::to_string(fixed->latency) + " cycles to an answer, " +
            std::to_string(fixed->interval) + " from one to the next";
   }
-  if (const auto* random = std::get_if<pipeline::RandomMemory>(&choice)) {
+  if (const auto* random = std::get_if<pipeline::RandomMemory>(&memory)) {
     return "random: " + std::to_string(random->latency_min) + " to " +
            std::to_string(random->latency_max) + " cycles, out of order, seed " +
            std::to_string(random->seed);
   }
-  const auto& dram = std::get<pipeline::DramMemory>(choice);
+  const auto& dram = std::get<pipeline::DramMemory>(memory);
   return "paged DRAM: " + std::to_string(dram.banks) + " banks, pages of " +
          std::to_string(dram.page_lines) + " lines, tRCD " + std::to_string(dram.tRCD) + ", tRP " +
          std::to_string(dram.tRP) + ", CL " + std::to_string(dram.CL) + ", refresh every " +
@@ -131,7 +127,7 @@ UnitJob make_unit_job(const UnitScene& scene) {
   job.preset = scene.hardware.preset;
   job.config = eval_config(scene);
   job.unit = unit_config(scene);
-  job.memory = memory_choice(scene.memory);
+  job.memory = memory_model(scene.memory);
   job.timing.seed = scene.stress.seed;
   job.timing.input_gap = scene.stress.input_gap / 256.0;
   job.timing.output_stall = scene.stress.output_stall / 256.0;

@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "golden/scene/surface_samples.h"
@@ -13,10 +12,7 @@
 
 namespace ptm::testbench {
 
-using MemoryChoice =
-    std::variant<pipeline::FixedMemory, pipeline::DramMemory, pipeline::RandomMemory>;
-[[nodiscard]] std::unique_ptr<pipeline::MemoryTiming> make_memory(const MemoryChoice& choice);
-[[nodiscard]] std::string describe(const MemoryChoice& choice);
+[[nodiscard]] std::string describe(const pipeline::MemoryModel& memory);
 
 /// One light's samples and the fragments made from them, in order.
 struct UnitFrameInput {
@@ -32,7 +28,7 @@ struct UnitJob {
   reference::EvalConfig config;
   reference::UnitConfig unit;
   reference::UnitState state;
-  MemoryChoice memory;
+  pipeline::MemoryModel memory;
   pipeline::StreamTiming timing;  ///< gaps and stalls
   std::vector<UnitFrameInput> frames;
   std::vector<std::string> notes;  ///< how each map is stored

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "model/pipeline/unit_run.h"
+#include "model/pipeline/simulate_texture_unit.h"
 #include "testbench/run/child_process.h"
 #include "testbench/run/run_result.h"
 #include "testbench/run/unit_job.h"
@@ -31,6 +31,10 @@ struct UnitTimed {
 /// Starts "pipeline" (the timing exact), "loose" or "rtl"; the job must stay as it is until
 /// take_unit_model(). "rtl" throws InputError before anything starts if no such unit was verilated.
 [[nodiscard]] ChildProcess start_unit_model(const UnitJob& job, const std::string& model);
-[[nodiscard]] UnitTimed take_unit_model(ChildProcess& child, const std::string& model);
+[[nodiscard]] UnitTimed take_unit_model(ChildProcess& child, const UnitJob& job,
+                                        const std::string& model);
+
+/// What a timed model is given, but for its frames.
+[[nodiscard]] pipeline::UnitSimulation unit_simulation(const UnitJob& job);
 
 }  // namespace ptm::testbench

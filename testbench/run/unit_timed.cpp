@@ -1,10 +1,10 @@
 // The models of the whole unit that know time, each in a process of its own.
-#include <array>
+#include <stdexcept>
 
 #include "model/pipeline/simulate_texture_unit.h"
-#include "testbench/rtl/verilated_unit.h"
 #include "testbench/run/stopwatch.h"
 #include "testbench/run/unit_models.h"
+#include "testbench/run/unit_rtl.h"
 
 namespace ptm::testbench {
 namespace {
@@ -12,12 +12,12 @@ namespace {
 using pipeline::UnitFrame;
 using pipeline::UnitFrameResult;
 
+/// A frame to draw, and whether it counts or only warms the caches.
 struct PlannedFrame {
   UnitFrame frame;
   bool counted = true;
 };
 
-/// Every light's frame; drawn twice, the first warms the caches.
 std::vector<PlannedFrame> plan(const UnitJob& job) {
   std::vector<PlannedFrame> frames;
   for (const UnitFrameInput& input : job.frames) {
@@ -33,10 +33,8 @@ void put(ResultFile& file, const UnitFrameResult& frame) {
   file.put(frame.answered);
   file.put(frame.pixels);
   file.put(frame.counters);
-  file.put(frame.fault.has_value());
-  if (!frame.fault) return;
-  file.put(frame.fault->what);
-  file.put(frame.fault->cycle);
+  file.put(frame.fault ? frame.fault->what : std::string());
+  file.put(frame.fault ? frame.fault->cycle : pipeline::Cycle{0});
 }
 
 UnitFrameResult get(ResultFile& file) {
@@ -45,17 +43,64 @@ UnitFrameResult get(ResultFile& file) {
   frame.answered = file.get_vector<pipeline::Cycle>();
   frame.pixels = file.get_vector<reference::UnitPixel>();
   frame.counters = file.get<reference::UnitCounters>();
-  if (!file.get<bool>()) return frame;
   const auto what = file.get_vector<char>();
-  frame.fault = {std::string(what.begin(), what.end()), file.get<pipeline::Cycle>()};
+  const auto cycle = file.get<pipeline::Cycle>();
+  if (!what.empty()) frame.fault = {std::string(what.begin(), what.end()), cycle};
   return frame;
 }
 
-void put_all(ResultFile& file, const std::vector<UnitFrameResult>& frames, double seconds) {
-  file.put(frames.size());
-  for (const UnitFrameResult& frame : frames) put(file, frame);
-  file.put(seconds);
+void run_model(const UnitJob& job, const std::string& model,
+               const pipeline::UnitSimulation& simulation) {
+  if (model == "pipeline") return pipeline::simulate_texture_unit(simulation);
+  if (model == "loose") return pipeline::estimate_texture_unit(simulation);
+  if (model == "rtl") return simulate_unit_rtl(job, simulation);
+  throw std::invalid_argument("no timed model '" + model + "'");
+}
+
+/// Runs a model over the job's frames; what counts goes into the file, the time comes last.
+void simulate(const UnitJob& job, const std::string& model, ResultFile& file) {
+  const std::vector<PlannedFrame> frames = plan(job);
+  pipeline::UnitSimulation simulation = unit_simulation(job);
+  double writing = 0;
+  simulation.frames.count = frames.size();
+  simulation.frames.make = [&](std::size_t n) { return frames[n].frame; };
+  simulation.frames.take = [&](std::size_t n, UnitFrameResult&& result) {
+    const Stopwatch watch;
+    file.put(frames[n].counted);
+    if (frames[n].counted) put(file, result);
+    writing += watch.seconds();
+  };
+  const Stopwatch watch;
+  run_model(job, model, simulation);
+  file.put(watch.seconds() - writing);
 }
 
 }  // namespace
+
+pipeline::UnitSimulation unit_simulation(const UnitJob& job) {
+  pipeline::UnitSimulation simulation;
+  simulation.unit = job.unit;
+  simulation.state = &job.state;
+  simulation.timing = job.timing;
+  simulation.memory = job.memory;
+  return simulation;
+}
+
+ChildProcess start_unit_model(const UnitJob& job, const std::string& model) {
+  if (model == "rtl") check_unit_variant(job);
+  return {"the " + model + " model",
+          [&job, model](ResultFile& file) { simulate(job, model, file); }};
+}
+
+UnitTimed take_unit_model(ChildProcess& child, const UnitJob& job, const std::string& model) {
+  ResultFile& file = child.wait();
+  UnitTimed timed;
+  timed.model = model;
+  for (std::size_t n = 0; n < plan(job).size(); ++n) {
+    if (file.get<bool>()) timed.frames.push_back(get(file));
+  }
+  timed.seconds = file.get<double>();
+  return timed;
+}
+
 }  // namespace ptm::testbench
