@@ -44,20 +44,44 @@ std::vector<double> read_all_channels(const std::filesystem::path& path, OIIO::I
   }
 }
 
+/// All channels as the file has them: [height][width][channels], finite.
+ImageReal read_channels(const std::filesystem::path& path) {
+  const auto input = open_picture(path);
+  const OIIO::ImageSpec spec = input->spec();
+  ImageReal image;
+  image.width = spec.width;
+  image.height = spec.height;
+  image.channels = spec.nchannels;
+  image.samples = read_all_channels(path, *input);
+  if (!std::all_of(image.samples.begin(), image.samples.end(),
+                   [](double v) { return std::isfinite(v); })) {
+    fail_picture(path, "pixels", "infinite samples or NaN", "finite samples");
+  }
+  return image;
+}
+
 }  // namespace
 
 ImageReal read_picture(const std::filesystem::path& path) {
-  const auto input = open_picture(path);
-  const OIIO::ImageSpec spec = input->spec();
-  const std::vector<double> levels = read_all_channels(path, *input);
-  if (!std::all_of(levels.begin(), levels.end(), [](double v) { return std::isfinite(v); })) {
-    fail_picture(path, "pixels", "infinite samples or NaN", "finite samples");
-  }
-  ImageReal image(spec.width, spec.height, spec.nchannels < 3 ? 1 : 3);
+  const ImageReal stored = read_channels(path);
+  ImageReal image(stored.width, stored.height, stored.channels < 3 ? 1 : 3);
   const auto channels = static_cast<std::size_t>(image.channels);
-  const auto stored = static_cast<std::size_t>(spec.nchannels);
+  const auto all = static_cast<std::size_t>(stored.channels);
   for (std::size_t i = 0; i < image.samples.size(); ++i) {
-    image.samples[i] = levels[i / channels * stored + i % channels];
+    image.samples[i] = stored.samples[i / channels * all + i % channels];
+  }
+  return image;
+}
+
+ImageReal read_picture_with_alpha(const std::filesystem::path& path) {
+  const ImageReal stored = read_channels(path);
+  ImageReal image(stored.width, stored.height, 4);
+  const bool grey = stored.channels < 3, alpha = stored.channels % 2 == 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      for (int c = 0; c < 3; ++c) image.at(x, y, c) = stored.at(x, y, grey ? 0 : c);
+      image.at(x, y, 3) = alpha ? stored.at(x, y, stored.channels - 1) : 255;
+    }
   }
   return image;
 }

@@ -11,6 +11,10 @@ namespace ptm::golden {
 /// Throws InputError.
 [[nodiscard]] ImageReal read_picture(const std::filesystem::path& path);
 
+/// The same as red, green, blue and alpha; grey fills all three colours. Alpha is 255 where the
+/// file has none, and is not multiplied in.
+[[nodiscard]] ImageReal read_picture_with_alpha(const std::filesystem::path& path);
+
 /// Writes 8-bit samples in the format of the extension, to a temporary name, then renames.
 void write_picture(const std::filesystem::path& path, const Image8& image);
 

@@ -12,19 +12,24 @@
 /// in the right order, lights first and filters then.
 namespace ptm::golden {
 
+/// P (lit) and C with its alpha, combined:
+///
+///     none P, modulate P C / 255, decal (C Ca + P (255 - Ca)) / 255,
+///     blend min(255, kd P + ka C), add min(255, P + C), replace C
+[[nodiscard]] Rgb combine_colors(const DrawSpec& draw, const Rgba& lit, const Rgba& color);
+
 /// A scene's textures with their mip levels, ready to be sampled.
 class UnitRenderer {
  public:
-  /// Builds the levels that the scene's filters ask for. The textures must stay where they are.
+  /// Builds the levels that the scene's filters ask for. Scene and textures must stay where
+  /// they are.
   UnitRenderer(const UnitScene& scene, const LoadedTextures& textures);
 
   /// The colour of one sample, levels, not rounded.
   ///
   ///     P = 1/N sum over probes of the filtered map, lit texel by texel and clamped to [0, 255];
-  ///         0 if !sample.lit.   C, Ca: the colour texture, filtered alike, lod + color_lod.
-  ///     none P, modulate P C / 255, decal (C Ca + P (255 - Ca)) / 255,
-  ///     blend min(255, kd P + ka C), add min(255, P + C), replace C
-  ///
+  ///         0 if !sample.lit.   C: the colour texture, filtered alike, lod + color_lod.
+  ///     Then combine_colors().
   /// `light` is sample.light or sample.light_vertex, as the caller wants it.
   [[nodiscard]] Rgb shade(const SurfaceSample& sample, const std::array<double, 2>& light) const;
 
@@ -34,8 +39,10 @@ class UnitRenderer {
                                  const std::array<double, 2>& light) const;
 
  private:
+  template <class Ask>
+  [[nodiscard]] Rgb combined(const SurfaceSample& sample, const Ask& ask) const;
+
   const UnitScene* scene_;
-  const LoadedTextures* textures_;
   std::vector<MipTexture> mips_;    ///< one a texture
   std::vector<double> color_lods_;  ///< one a draw
 };

@@ -80,10 +80,16 @@ double turned_to(double angle, double from) {
 Shape whole_shape(ShapeKind kind, double height) {
   Shape shape;
   shape.kind = kind;
-  if (kind == ShapeKind::plane) return shape;
+  if (kind == ShapeKind::plane) {
+    shape.origin = Vec3(-1, 0, 1);
+    shape.axis_i = Vec3(2, 0, 0);
+    shape.axis_j = Vec3(0, 0, -2);
+    return shape;
+  }
   shape.p_range = {0, 2 * kPi};
   shape.q_range = {0, kind == ShapeKind::sphere ? kPi : height};
   if (kind == ShapeKind::cylinder) {
+    shape.origin = Vec3(0, 0, -height / 2);
     shape.height = shape.q0 = height;
     shape.b = -1;
   }

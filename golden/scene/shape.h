@@ -34,8 +34,9 @@ struct Shape {
   bool operator==(const Shape&) const = default;
 };
 
-/// A whole surface of that kind, radius 1 and height 1 where it has them.
-[[nodiscard]] Shape whole_shape(ShapeKind kind, double height = 1);
+/// A whole surface of that kind about the world's origin, z up: a square of side 2 that faces -y, a
+/// cylinder or sphere of radius 1.
+[[nodiscard]] Shape whole_shape(ShapeKind kind, double height = 2);
 
 /// A surface around a point, in the surface's own space.
 struct SurfacePoint {

@@ -12,6 +12,7 @@
 namespace ptm::golden {
 
 inline constexpr int kLargestTexture = 4096;  ///< texels a side
+inline constexpr int kMostLrgbEntries = 256;  ///< of an LRGB map's palette; RGB: 4096
 
 /// A texture in real numbers, as its file or rule gives it; level 0 only.
 struct LoadedTexture {
@@ -38,7 +39,8 @@ struct LoadedTexture {
 ///     picture   as read_picture_with_alpha() gives it
 ///     generate  generate_texture()
 ///
-/// Throws InputError: what the readers throw, and sizes above kLargestTexture.
+/// Throws InputError: what the readers throw, sizes above kLargestTexture, a palette of more
+/// entries than the hardware has.
 [[nodiscard]] std::vector<LoadedTexture> load_textures(const UnitScene& scene);
 using LoadedTextures = std::vector<LoadedTexture>;
 

@@ -28,7 +28,7 @@ struct FilterMode {
 };
 
 struct CameraSpec {
-  Vec3 position{0, 0, 3}, target{0, 0, 0}, up{0, 1, 0};
+  Vec3 position{0, -4, 0}, target{0, 0, 0}, up{0, 0, 1};
   bool orthographic = false;
   double fov_degrees = 40;  ///< vertical, of the whole picture
   double height = 2;        ///< orthographic: world height of the picture
@@ -43,6 +43,8 @@ enum class TextureSource : std::uint8_t {
   generate
 };
 
+inline constexpr int kFullPalette = -1;  ///< as many entries as the hardware has for the format
+
 /// One [[texture]]. What is not said is empty: a draw's two textures share their sampling.
 struct TextureSpec {
   std::string name;
@@ -55,7 +57,8 @@ struct TextureSpec {
   std::string pattern;                ///< generate
   std::array<int, 2> size{256, 256};  ///< generate
   std::uint64_t seed = 1;             ///< generate
-  int palette = 0;                    ///< entries of the hardware's palette, 0: none
+  int palette =
+      0;  ///< entries of the palette that hardware stores it with; 0: none, or kFullPalette
   std::optional<WrapMode> wrap_u, wrap_v;
   std::optional<FilterMode> filter;
   std::optional<int> probes;
@@ -129,7 +132,7 @@ enum class MemoryKind : std::uint8_t { fixed, dram, random };
 /// Cycles of the unit's clock, unless said otherwise.
 struct MemorySpec {
   MemoryKind kind = MemoryKind::fixed;
-  int latency = 100, interval = 4;          ///< fixed (interval: random too)
+  int latency = 100, interval = 4;          ///< fixed
   std::uint64_t seed = 1;                   ///< random
   int latency_min = 20, latency_max = 200;  ///< random
   int banks = 8, page_lines = 32;           ///< dram; a page in lines of 64 bytes
