@@ -50,7 +50,7 @@ svg { display: block; width: 100%; height: auto; max-width: 620px; }
 svg text { fill: var(--ink); font: 13px system-ui, "Liberation Sans", sans-serif; }
 svg .axis { stroke: var(--soft); } svg .grid { stroke: var(--rule); } svg .bar { fill: var(--bar); }
 svg.cycles { height: 26px; max-width: 940px; border-radius: 3px; }
-svg.cycles rect { stroke: var(--paper); stroke-width: 1.5px; vector-effect: non-scaling-stroke; }
+svg.cycles rect { shape-rendering: crispEdges; }
 .cycle0 { fill: var(--moved); background: var(--moved); }
 .cycle1 { fill: var(--blocked); background: var(--blocked); }
 .cycle2 { fill: var(--wait); background: var(--wait); }
@@ -70,6 +70,10 @@ svg .area { fill: var(--bar); opacity: .2; }
 svg .rate0, svg .rate1 { fill: none; stroke: var(--bar); stroke-width: 1.5; }
 svg .rate1 { stroke: var(--second); stroke-dasharray: 5 3; }
 svg .mean { stroke: var(--ink); stroke-dasharray: 2 3; }
+.key { display: block; }
+.timed thead th { white-space: normal; }
+.timed tbody th { white-space: normal; min-width: 118px; }
+.textures td:nth-child(2), .textures th:nth-child(2) { text-align: left; }
 td small { display: block; color: var(--soft); font-size: 12px; }
 .scroll { overflow-x: auto; margin: 10px 0 18px; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 14px; }

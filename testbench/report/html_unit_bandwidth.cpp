@@ -78,13 +78,19 @@ void add_axes(std::string& page, const Axes& axes) {
 
 /// A level line for each step; with `area`, closed along the axis.
 std::string step_path(const Series& series, const Axes& axes, double step_cycles, bool area) {
-  std::string path = "M" + svg::number(kLeft) + " " +
-                     svg::number(area ? kTop + kPlot : axes.y(series.steps.front()));
+  std::string path = "M";  // appended to: GCC 12 warns of `"V" + number(...)` without cause
+  path += svg::number(kLeft) + ' ';
+  path += svg::number(area ? kTop + kPlot : axes.y(series.steps.front()));
   for (std::size_t i = 0; i < series.steps.size(); ++i) {
     const double right = std::min(axes.cycles, step_cycles * static_cast<double>(i + 1));
-    path += "V" + svg::number(axes.y(series.steps[i])) + "H" + svg::number(axes.x(right));
+    path += 'V';
+    path += svg::number(axes.y(series.steps[i])) + 'H';
+    path += svg::number(axes.x(right));
   }
-  if (area) path += "V" + svg::number(kTop + kPlot) + "Z";
+  if (area) {
+    path += 'V';
+    path += svg::number(kTop + kPlot) + 'Z';
+  }
   return path;
 }
 
@@ -103,14 +109,15 @@ void add_caption(std::string& page, const UnitSection& unit, const std::vector<S
   page += "<figcaption>";
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::uint32_t most = *std::max_element(all[i].windows->begin(), all[i].windows->end());
-    page += "<i class=\"swatch line" + std::to_string(i) + "\"></i><b>" + all[i].label +
-            "</b>: at most " + plural(most, "line") + " in a window, " +
-            fixed(kLineBytes * most / static_cast<double>(unit.window), 2) + " bytes a cycle. ";
+    page += "<span class=\"key\"><i class=\"swatch line" + std::to_string(i) + "\"></i><b>" +
+            all[i].label + "</b>: at most " + plural(most, "line") + " in a window, " +
+            fixed(kLineBytes * most / static_cast<double>(unit.window), 2) +
+            " bytes a cycle</span>";
   }
   if (const UnitTiming* lead = lead_timing(unit)) {
     if (const auto mean = bytes_per_cycle(*lead)) {
-      page += "<i class=\"swatch mean\"></i><b>" + timing_label(lead->model) +
-              ", mean of the run</b>: " + fixed(*mean, 3) + " bytes a cycle. ";
+      page += "<span class=\"key\"><i class=\"swatch mean\"></i><b>" + timing_label(lead->model) +
+              ", mean of the run</b>: " + fixed(*mean, 3) + " bytes a cycle</span>";
     }
   }
   page +=

@@ -77,7 +77,7 @@ void add_cycle_classes(std::string& page, const UnitSection& unit) {
   page += "</div>\n";
   Row heads = {"Class"};
   for (const UnitTiming& timing : unit.timings) heads.push_back(timing_label(timing.model));
-  open_table(page, "cycles",
+  open_table(page, "timed cycles",
              "Colours of the bars, and shares of all cycles; a cycle falls in the first class that "
              "holds, judged at the commit stage",
              heads);

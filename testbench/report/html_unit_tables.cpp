@@ -75,7 +75,7 @@ void add_texture_table(std::string& page, const UnitSection& unit) {
     heads.push_back("Hit rate<small>" + timing_label(timing.model) + "</small>");
   }
   heads.push_back("Cycles a pixel<small>all hits, formula</small>");
-  open_table(page, "textures",
+  open_table(page, "timed textures",
              "Tag look-ups of each draw and texture, over all frames; the formula is of "
              "the draw, with every line a hit",
              heads);
@@ -87,7 +87,7 @@ void add_texture_table(std::string& page, const UnitSection& unit) {
 
 void add_traffic_table(std::string& page, const UnitSection& unit) {
   page += "<h3>What a pixel costs</h3>\n";
-  open_table(page, "traffic", "Fetches, lines and multiplies a pixel, over all frames",
+  open_table(page, "timed traffic", "Fetches, lines and multiplies a pixel, over all frames",
              timing_heads(unit, "Figure"));
   struct Line {
     const char* head;
@@ -129,7 +129,7 @@ void add_speed_table(std::string& page, const UnitSection& unit) {
   const UnitTiming& base = *lead_timing(unit);
   const std::string against = timing_label(base.model);
   page += "<h3>Exact, loose and RTL</h3>\n";
-  open_table(page, "speed",
+  open_table(page, "timed speed",
              "Cycles by each model of time and the wall time it took, all frames; speed is wall "
              "time of " +
                  against + " to the model's own",
@@ -150,7 +150,7 @@ void add_speed_table(std::string& page, const UnitSection& unit) {
 
 void add_unit_counters(std::string& page, const UnitSection& unit) {
   page += "<details class=\"counters\"><summary>All counters of the unit</summary>\n";
-  open_table(page, "unitcounters",
+  open_table(page, "timed unitcounters",
              "Counters over all frames; ≠ marks one in which pipeline and rtl differ",
              timing_heads(unit, "Counter"));
   for (const std::size_t n : counters_to_show(unit)) {

@@ -24,7 +24,7 @@ inline constexpr std::array<CycleClass, 5> kCycleClasses{{
     {reference::UnitCounter::cycles_output_blocked, "output blocked",
      "what follows the commit stage accepted nothing"},
     {reference::UnitCounter::cycles_line_wait, "waited for lines",
-     "the commit stage held a beat whose lines were not all there"},
+     "the commit stage held a beat: lines missing, or still to be written"},
     {reference::UnitCounter::cycles_ring_full, "miss ring full",
      "no beat to commit: the tag stage lacked slots"},
     {reference::UnitCounter::cycles_input_empty, "input empty", "no beat to commit, none waiting"},

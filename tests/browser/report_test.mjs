@@ -94,6 +94,26 @@ const faint = (page) => page.evaluate(() => {
   return [...bad];
 });
 
+// The whole unit's section: there with everything in it, or not at all.
+async function checkUnit(page, name, json, same) {
+  const {unit} = json;
+  await same("table.cycles", unit ? [6] : []);
+  const textures = unit?.draws.flatMap((draw) => [draw.texture, draw.color]).filter(Boolean);
+  await same("table.textures", unit ? [textures.length] : []);
+  await same("table.speed", unit ? [Object.keys(unit.timings).length] : []);
+  const bars = await page.$$eval("svg.cycles", (all) => all.map((svg) =>
+    [...svg.querySelectorAll("rect")].reduce((sum, part) => sum + part.getBBox().width, 0)));
+  expect(bars.length === (unit ? Object.keys(unit.timings).length : 0), `${name}: bars ${bars}`);
+  for (const bar of bars) expect(Math.abs(bar - 1000) < 0.1, `${name}: a bar of ${bar}`);
+  const curves = new Set(Object.values(unit?.timings ?? {})
+    .map((timing) => String(timing.lines_per_window)).filter(Boolean));
+  const drawn = await page.$$eval("figure.rate path:not(.area)", (paths) => paths.length);
+  expect(drawn === curves.size, `${name}: ${drawn} curves of bandwidth, not ${curves.size}`);
+  const late = (unit?.late_pixels ?? 0) + (unit?.differing_counters.length ?? 0);
+  const verdict = (await page.textContent("header")).includes("differ in time");
+  expect(verdict === late > 0, `${name}: late ${late}, the page says so: ${verdict}`);
+}
+
 async function checkAgainstJson(page, name, json) {
   const models = Object.keys(json.models);
   const counters = new Set(models.flatMap((model) => Object.keys(json.models[model].counters)));
@@ -109,6 +129,7 @@ async function checkAgainstJson(page, name, json) {
   await same("table.counters", once(counters.size));
   await same("table.values", json.worst.map((pixel) =>
     3 + new Set(Object.values(pixel.models).flatMap((model) => Object.keys(model.values))).size));
+  await checkUnit(page, name, json, same);
   const title = await page.textContent("h1");
   expect(title === json.scene.file, `${name}: the heading is ${title}, not ${json.scene.file}`);
   const shown = Math.min(12, json.scene.lights.length);
@@ -174,7 +195,7 @@ const browser = await chromium.launch({
 });
 const names = fs.readdirSync(reports).filter((name) =>
   fs.existsSync(path.join(reports, name, "report.html")));
-expect(names.length >= 4, `found ${names.length} reports, expected four kinds`);
+expect(names.length >= 6, `found ${names.length} reports, expected six kinds`);
 try {
   await checkTheChecks(browser, folder);
   for (const name of names) await checkReport(browser, name);

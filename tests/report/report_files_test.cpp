@@ -9,7 +9,7 @@
 #include "testbench/report/report.h"
 #include "testbench/report/report_json.h"
 #include "testbench/report/staged_files.h"
-#include "tests/report/made_run.h"
+#include "tests/report/made_unit.h"
 
 namespace ptm::testbench {
 namespace {
@@ -88,6 +88,32 @@ TEST_F(ReportFiles, HoldInJsonWhatWasMeasured) {
   EXPECT_EQ(json["worst"][0]["models"]["rtl"]["values"]["acc"], "1");
   EXPECT_EQ(json["presets"][1]["preset"], "base");
   EXPECT_EQ(json["notes"], run.notes);
+}
+
+TEST_F(ReportFiles, HoldInJsonEveryCounterOfTheWholeUnit) {
+  const RunResult run = tests::made_late_run(8, 8);
+  const nlohmann::json json = read_json(write_report(run, compare_run(run), folder_).json)["unit"];
+  EXPECT_EQ(json["config"]["fragment_fifo"], 192);
+  EXPECT_EQ(json["memory"], run.unit->memory);
+  EXPECT_EQ(json["draws"][0]["color"], "grass.png");
+  EXPECT_TRUE(json["draws"][1]["color"].is_null());
+  EXPECT_EQ(json["draws"][0]["cycles_per_pixel"], 2);
+  EXPECT_EQ(json["timings"].size(), 3U);
+  const nlohmann::json& rtl = json["timings"]["rtl"];
+  EXPECT_EQ(rtl["counters"].size(), reference::kUnitCounters);
+  EXPECT_EQ(rtl["counters"]["cycles"], 117422);
+  EXPECT_EQ(rtl["counters"]["multiplies_combine"], 98304);
+  EXPECT_EQ(rtl["counters"]["misses_d1_map"], 900);
+  EXPECT_EQ(rtl["seconds"], 0.1526);
+  EXPECT_EQ(json["timings"]["pipeline"]["lines_per_window"].size(), 1836U);
+  EXPECT_TRUE(json["timings"]["loose"]["lines_per_window"].empty());
+  EXPECT_EQ(json["late_pixels"], 2);
+  EXPECT_EQ(json["differing_counters"], run.unit->differing_counters);
+}
+
+TEST_F(ReportFiles, SayNothingOfTheUnitForAFlatScene) {
+  const RunResult run = made_run(5, 4, 1);
+  EXPECT_FALSE(read_json(write_report(run, compare_run(run), folder_).json).contains("unit"));
 }
 
 TEST_F(ReportFiles, ReplaceAnEarlierReportAndLeaveNoTemporaryFile) {
