@@ -106,7 +106,7 @@ class StateBuilder {
     if (texture.is_picture()) {
       placed.levels =
           append_picture(picture_levels(stored_picture(texture), levels), state_.memory);
-    } else if (scene_.textures[static_cast<std::size_t>(index)].palette > 0) {
+    } else if (scene_.textures[static_cast<std::size_t>(index)].palette != 0) {
       placed = place_palette(index, texture, levels);
     } else {
       const UnitMap map = store_unit_map(real_texture(texture), levels, config_);
