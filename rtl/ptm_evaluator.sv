@@ -6,8 +6,8 @@
 // docs/spec/evaluator.md, the handshake in docs/spec/handshake.md. What is accepted in cycle 0 is
 // offered in cycle 8 if nothing stalls; blocked, the unit holds 7 + 2 beats.
 //
-// Ready. R7..R1 are ptm_stream_reg, whose ready is combinational: 7 AND-ORs in a row, and a bubble
-// anywhere closes up under a stall. The chain starts at the FIFO's registered count, not at
+// Ready. R1..R7 are a ptm_stream_chain, whose ready is combinational: a carry through 7 bits, and a
+// bubble anywhere closes up under a stall. The carry starts at the FIFO's registered count, not at
 // ready_i, so no combinational path leads from ready_i to ready_o, nor from valid_i to valid_o.
 //
 // Twin: ptm::reference::evaluate_lrgb() and evaluate_rgb() in model/reference/evaluate.h.
@@ -83,23 +83,14 @@ module ptm_evaluator #(
     logic [SidebandBits-1:0] sideband;
   } tag_t;
 
-  // valid[n], ready[n]: the handshake behind register n, and in front of register n+1
-  logic [7:0] valid /*verilator split_var*/;
-  logic [7:0] ready /*verilator split_var*/;
-  logic [7:1] load /*verilator split_var*/;
-  assign valid[0] = valid_i;
-  assign ready_o  = ready[0];
-  for (genvar n = 1; n <= 7; n++) begin : gen_reg
-    ptm_stream_reg u_reg (
-      .clk_i  (clk_i),
-      .rst_ni (rst_ni),
-      .valid_i(valid[n-1]),
-      .ready_o(ready[n-1]),
-      .load_o (load[n]),
-      .valid_o(valid[n]),
-      .ready_i(ready[n])
-    );
-  end
+  logic [1:7] load;  // register n takes over what stands in front of it
+  logic r7_valid, r7_ready;
+  ptm_stream_chain #(
+    .Stages(7)
+  ) u_chain (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .load_o(load),
+    .valid_o(r7_valid), .ready_i(r7_ready)
+  );
 
   // D1, D2 | R1
   tag_t                     tag;
@@ -301,7 +292,7 @@ module ptm_evaluator #(
   ptm_rgb_assemble #(
     .LumW(LumW)
   ) u_rgb_assemble (
-    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid[7]), .ready_o(ready[7]),
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(r7_valid), .ready_o(r7_ready),
     .rgb_map_i(r7_tag_q.rgb_map), .channel_i(r7_tag_q.channel), .lum_i(r7_lum_q),
     .lum_saturated_i(r7_lum_saturated_q), .rgb_i(r7_rgb_q),
     .color_saturated_i(r7_color_saturated_q), .valid_o(pixel_valid), .ready_i(pixel_ready),

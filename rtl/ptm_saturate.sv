@@ -13,10 +13,10 @@ module ptm_saturate #(
   if (InBits <= OutBits) begin : gen_fits
     assign y_o = OutBits'(x_i);
   end else begin : gen_clamp
-    // x fits if all bits from the result's sign upwards are alike.
+    // x fits if all bits from the result's sign upwards are alike: each is what its neighbour is.
     logic fits, negative;
     assign negative = x_i[InBits-1];
-    assign fits     = x_i[InBits-1:OutBits-1] == {(InBits-OutBits+1){negative}};
+    assign fits     = x_i[InBits-1:OutBits] == x_i[InBits-2:OutBits-1];
     assign y_o      = fits ? x_i[OutBits-1:0] : {negative, {(OutBits-1){!negative}}};
   end
 endmodule

@@ -2,8 +2,8 @@
 //
 // Latency 1. Full at the start of a cycle, it accepts nothing, even if it is being emptied: ready_o
 // depends on registers alone, so no path leads from ready_i to ready_o, and two places are what
-// full throughput then takes. As with ptm_stream_reg the payload lies with the owner, a head and a
-// tail register a field; the head is what valid_o offers.
+// full throughput then takes. As with ptm_stream_chain the payload lies with the owner, a head and
+// a tail register a field; the head is what valid_o offers.
 //
 //   always_ff @(posedge clk_i) begin
 //     if (load_head_o) head_q <= data; else if (advance_o) head_q <= tail_q;

@@ -9,7 +9,7 @@
 /// items pass in order, and an item's cycles follow from those of the items before it.
 namespace ptm::pipeline {
 
-/// N pipeline registers in a row (rtl/ptm_stream_reg.sv). A register accepts when it is empty or
+/// N pipeline registers in a row (rtl/ptm_stream_chain.sv). A register accepts when it is empty or
 /// being emptied (docs/spec/pipeline.md, T6), so with enter_i(n) the cycle of item n's transfer
 /// into register i:
 ///

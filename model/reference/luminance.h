@@ -20,6 +20,7 @@ template <class F>
 ///
 ///     d[i] = sat(coef[i] - (bias[i] << filter_frac), delta_bits + filter_frac)
 ///
+/// With delta_bits > coef_bits every difference fits, and sat is left out.
 /// Requires  coef unsigned, coef_bits + filter_frac bits; bias unsigned, coef_bits bits.
 /// Twin      rtl/ptm_unpack.sv
 template <class Int>
@@ -28,7 +29,9 @@ template <class Int>
                                                             const Six<Int>& bias) {
   const StepScope<Int> scope(Step::unpack);
   return for_six([&](unsigned i) -> Int {
-    return sat(coef[i] - shift_left(bias[i], config.filter_frac), widths(config).delta);
+    const Int difference = coef[i] - shift_left(bias[i], config.filter_frac);
+    return config.delta_bits > config.coef_bits ? difference
+                                                : sat(difference, widths(config).delta);
   });
 }
 

@@ -83,6 +83,8 @@ class VerilatedEvaluator final : public RtlEvaluator {
   }
 
  private:
+  using Pins = std::remove_pointer_t<decltype(Dut::rootp)>;
+
   /// Cycles without any transfer, though the output was ready and work was waiting, after which
   /// the RTL is said to hang: far more than its latency.
   static constexpr unsigned kPatience = 64;
@@ -98,16 +100,18 @@ class VerilatedEvaluator final : public RtlEvaluator {
   template <class Six>
   void drive(const Six& coef, const Six& bias, const Six& shift, reference::Value lu,
              reference::Value lv) {
+    Pins& pins = pins_;
     for (unsigned i = 0; i < 6; ++i) {
-      pins_.coef_i[i] = static_cast<SData>(coef[i]);
-      pins_.bias_i[i] = static_cast<SData>(bias[i]);
-      pins_.shift_i[i] = static_cast<CData>(shift[i]);
+      pins.coef_i[i] = static_cast<SData>(coef[i]);
+      pins.bias_i[i] = static_cast<SData>(bias[i]);
+      pins.shift_i[i] = static_cast<CData>(shift[i]);
     }
-    pins_.lu_i = static_cast<IData>(lu);
-    pins_.lv_i = static_cast<IData>(lv);
+    pins.lu_i = static_cast<IData>(lu);
+    pins.lv_i = static_cast<IData>(lv);
   }
   void drive_rgb(const reference::Three<reference::Value>& rgb) {
-    for (unsigned c = 0; c < 3; ++c) pins_.rgb_i[c] = static_cast<SData>(rgb[c]);
+    Pins& pins = pins_;
+    for (unsigned c = 0; c < 3; ++c) pins.rgb_i[c] = static_cast<SData>(rgb[c]);
   }
 
   /// Field by field into place: a copy in wider pieces would wait for these stores.
@@ -137,49 +141,79 @@ class VerilatedEvaluator final : public RtlEvaluator {
     }
   }
 
-  /// The one loop of all streams: Beats operands a pixel, offered and taken as `timing` says.
-  /// drive_beat(pixel, channel) puts a beat on the pins when it is first offered.
+  /// What StreamTiming is without gaps and stalls: the compiler drops their tests.
+  struct Unhindered {
+    [[nodiscard]] static std::uint64_t gap(std::uint64_t /*item*/) { return 0; }
+    [[nodiscard]] static bool stalled(std::uint64_t /*cycle*/) { return false; }
+  };
+  struct Hindered {
+    const pipeline::StreamTiming& timing;
+    [[nodiscard]] std::uint64_t gap(std::uint64_t item) const {
+      return pipeline::gap(timing, item);
+    }
+    [[nodiscard]] bool stalled(std::uint64_t cycle) const {
+      return pipeline::stalled(timing, cycle);
+    }
+  };
+
   template <unsigned Beats, class DriveBeat>
   RtlCounters stream(std::uint64_t pixels, const pipeline::StreamTiming& timing, const Sink& sink,
                      const DriveBeat& drive_beat) {
     check(timing);
+    if (timing.input_gap > 0 || timing.idle != 0 || timing.output_stall > 0) {
+      return stream<Beats>(pixels, Hindered{timing}, sink, drive_beat);
+    }
+    return stream<Beats>(pixels, Unhindered{}, sink, drive_beat);
+  }
+
+  /// The one loop of all streams: Beats operands a pixel, offered and taken as `pace` says.
+  /// drive_beat(pixel, channel) puts a beat on the pins when it is first offered.
+  template <unsigned Beats, class Pace, class DriveBeat>
+  RtlCounters stream(std::uint64_t pixels, const Pace& pace, const Sink& sink,
+                     const DriveBeat& drive_beat) {
     reset();
+    Pins& pins = pins_;
     RtlCounters counters;
     RtlPixel pixel;
     const std::uint64_t beats = pixels * Beats;
-    std::uint64_t offer_at = pipeline::gap(timing, 0), first = 0, taken_at = 0, cycle = 0;
+    std::uint64_t offer_at = pace.gap(0), first = 0, taken_at = 0, cycle = 0;
     unsigned idle = 0;  // cycles in a row that only a hanging unit explains
     for (; counters.pixels < pixels; ++cycle) {
       const bool offered = counters.beats < beats && cycle >= offer_at;
       if (offered && cycle == offer_at) {
         drive_beat(counters.beats / Beats, static_cast<unsigned>(counters.beats % Beats));
-        pins_.sideband_i = static_cast<IData>(counters.beats / Beats);
+        pins.sideband_i = static_cast<IData>(counters.beats / Beats);
       }
-      const bool blocked = pipeline::stalled(timing, cycle);
-      pins_.valid_i = offered;
-      pins_.ready_i = !blocked;
-      const bool accepted = offered && pins_.ready_o;
-      const bool taken = pins_.valid_o && !blocked;
+      const bool blocked = pace.stalled(cycle);
+      pins.valid_i = offered;
+      pins.ready_i = !blocked;
+      const bool accepted = offered && pins.ready_o;
+      const bool taken = pins.valid_o && !blocked;
       if (taken) {
         if (counters.pixels * Beats + Beats > counters.beats) {
           fail("a pixel before its operands", cycle, "pixel", counters.pixels);
         }
-        if (pins_.sideband_o != static_cast<IData>(counters.pixels)) {
+        if (pins.sideband_o != static_cast<IData>(counters.pixels)) {
           fail("another pixel's id", cycle, "pixel", counters.pixels);
         }
         read(pixel);
         sink(counters.pixels++, pixel, cycle);
         taken_at = cycle;
+      } else {
+        counters.output_blocked += pins.valid_o;
       }
-      counters.output_blocked += pins_.valid_o && blocked;
-      counters.input_stalled += offered && !accepted;
       if (accepted) {
         if (counters.beats == 0) first = cycle;
-        offer_at = cycle + 1 + pipeline::gap(timing, ++counters.beats);
+        offer_at = cycle + 1 + pace.gap(++counters.beats);
+      } else {
+        counters.input_stalled += offered;
       }
       const bool waiting = offered || counters.beats > counters.pixels * Beats;
-      idle = accepted || taken ? 0 : idle + (waiting && !blocked);
-      if (idle > kPatience) fail("the unit hangs", cycle, "waiting for pixel", counters.pixels);
+      if (accepted || taken) {
+        idle = 0;
+      } else if (waiting && !blocked && ++idle > kPatience) {
+        fail("the unit hangs", cycle, "waiting for pixel", counters.pixels);
+      }
       clock_edge();
     }
     counters.cycles = pixels == 0 ? 0 : taken_at - first + 1;
@@ -200,8 +234,9 @@ class VerilatedEvaluator final : public RtlEvaluator {
   std::string name_;
   VerilatedContext context_;
   Dut dut_{&context_};
-  /// The pins where Verilator keeps them; the class itself reaches each through a reference.
-  decltype(*Dut::rootp)& pins_ = *dut_.rootp;
+  /// The pins where Verilator keeps them; the class itself reaches each through a reference. A
+  /// function that writes many copies this reference: a pin that is a byte could alias it.
+  Pins& pins_ = *dut_.rootp;
 };
 
 }  // namespace ptm::testbench
