@@ -15,6 +15,10 @@ enum class Step : std::uint8_t {
   color_scale,     ///< D7, the division by 255
   narrow,          ///< the adders of rounding, wherever it stands
   lerp,            ///< Eq. 14
+  wrap,            ///< U3
+  scale,           ///< U4
+  probes,          ///< U9
+  combine,         ///< U11
 };
 
 /// The datapath is written once, for any integer type that has +, -, * and these functions, found

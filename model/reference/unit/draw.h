@@ -49,7 +49,7 @@ struct Draw {
 
 /// Planes of 32-bit words of the map, 0 for none.
 [[nodiscard]] constexpr int map_planes(TextureFormat format) {
-  constexpr std::array<int, 5> planes{0, 3, 6, 1, 1};
+  constexpr std::array<int, 8> planes{0, 3, 6, 1, 1, 0, 0, 0};  // the register has three bits
   return planes[static_cast<std::size_t>(format)];
 }
 /// Words of a draw: the map's planes, then the colour texture.
@@ -61,7 +61,12 @@ struct Draw {
   return draw.format == TextureFormat::rgb || draw.format == TextureFormat::palette_rgb ? 3 : 1;
 }
 
-/// Error bits of `unit.md`, "Legal"; 0 for a draw that can be drawn from a memory of that size.
+/// 64-byte lines of a level, all planes. Requires a legal size and level.
+[[nodiscard]] std::uint64_t level_lines(const TextureLevels& texture, int planes, int level);
+
+/// Error bits of `unit.md`, "Legal"; 0 for a draw that can be drawn from a memory of that size. A
+/// texture that the draw has not is not checked; addresses are checked only if all else is legal.
+/// Takes any values. Twin: the check of rtl's register block
 enum DrawError : unsigned { kBadSize = 1, kBadLevels = 2, kBadAddress = 4, kBadControl = 8 };
 [[nodiscard]] unsigned check_draw(const Draw& draw, std::uint64_t memory_lines);
 
