@@ -1,4 +1,4 @@
-// Every module of the evaluator, in order: a package first, users after what they use.
+// Every module, in order: a package first, users after what they use.
 rtl/ptm_pkg.sv
 rtl/ptm_narrow.sv
 rtl/ptm_saturate.sv
@@ -17,3 +17,6 @@ rtl/ptm_stream_reg.sv
 rtl/ptm_stream_fifo2.sv
 rtl/ptm_rgb_assemble.sv
 rtl/ptm_evaluator.sv
+rtl/ptm_unit_pkg.sv
+rtl/ptm_unit_back.sv
+rtl/ptm_unit_registers.sv
