@@ -17,6 +17,3 @@ rtl/ptm_stream_reg.sv
 rtl/ptm_stream_fifo2.sv
 rtl/ptm_rgb_assemble.sv
 rtl/ptm_evaluator.sv
-rtl/ptm_unit_pkg.sv
-rtl/ptm_unit_back.sv
-rtl/ptm_unit_registers.sv

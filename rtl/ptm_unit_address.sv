@@ -6,11 +6,12 @@
 // a beat's address are here: two in U1, four in U4 and four in U6 (two textures).
 module ptm_unit_address #(
   parameter int Tmus = 3,
-  parameter int Sets = 32  // of a tag bank
+  parameter int Sets = 32,  // of a tag bank
+  localparam int LookupW = ptm_unit_front_pkg::LookupW
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
-  input  ptm_unit_pkg::draw_t [ptm_unit_pkg::Draws-1:0] draws_i,
+  input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_i,
   input  logic                      valid_i,
   output logic                      ready_o,
   input  ptm_unit_pkg::fragment_t   fragment_i,
@@ -18,7 +19,7 @@ module ptm_unit_address #(
   output logic                      valid_o,
   input  logic                      ready_i,
   output ptm_unit_pkg::beat_t       beat_o,
-  output ptm_unit_front_pkg::lookup_t [Tmus-1:0] lookup_o,
+  output logic [Tmus*LookupW-1:0]   lookup_o,  // lookup_t, TMU 0 lowest
   // Counters' increments
   output logic                      inc_conflicts_o,
   output logic [1:0]                inc_words_o,
@@ -32,17 +33,15 @@ module ptm_unit_address #(
   logic [1:0]          a0_wrap_u, a0_wrap_v;
   logic                a0_bilinear, a0_color;
   logic [2:0]          a0_planes;
-  logic [1:0][3:0]     a0_level;
-  logic [1:0][12:0]    a0_width, a0_height;
-  logic [1:0][25:0]    a0_base;
+  ptm_unit_front_pkg::level_t a0_map, a0_color_level;
   ptm_unit_beats #(
     .Tmus(Tmus)
   ) u_beats (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .valid_i(valid_i), .ready_o(ready_o),
     .fragment_i(fragment_i), .valid_o(a0_valid), .ready_i(a0_ready), .beat_o(a0_beat),
     .u_o(a0_u), .v_o(a0_v), .wrap_u_o(a0_wrap_u), .wrap_v_o(a0_wrap_v), .bilinear_o(a0_bilinear),
-    .planes_o(a0_planes), .color_o(a0_color), .level_o(a0_level), .width_o(a0_width),
-    .height_o(a0_height), .base_o(a0_base)
+    .planes_o(a0_planes), .color_o(a0_color), .map_o(a0_map),
+    .color_level_o(a0_color_level)
   );
 
   // A1
@@ -52,9 +51,7 @@ module ptm_unit_address #(
   logic [1:0]          a1_wrap_u_q, a1_wrap_v_q;
   logic                a1_bilinear_q, a1_color_q;
   logic [2:0]          a1_planes_q;
-  logic [1:0][3:0]     a1_level_q;
-  logic [1:0][12:0]    a1_width_q, a1_height_q;
-  logic [1:0][25:0]    a1_base_q;
+  ptm_unit_front_pkg::level_t a1_map_q, a1_color_level_q;
   ptm_stream_reg u_a1 (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(a0_valid), .ready_o(a0_ready), .load_o(a1_load),
     .valid_o(a1_valid), .ready_i(a1_ready)
@@ -69,31 +66,22 @@ module ptm_unit_address #(
       a1_bilinear_q <= a0_bilinear;
       a1_planes_q   <= a0_planes;
       a1_color_q    <= a0_color;
-      a1_level_q    <= a0_level;
-      a1_width_q    <= a0_width;
-      a1_height_q   <= a0_height;
-      a1_base_q     <= a0_base;
+      a1_map_q      <= a0_map;
+      a1_color_level_q <= a0_color_level;
     end
   end
 
   // U3, U4's product | A2
-  logic [19:0]      fu, fv;
-  logic [1:0][31:0] product_u, product_v;
+  logic [19:0] fu, fv;
   ptm_unit_wrap u_wrap_u (.wrap_i(a1_wrap_u_q), .u_i(a1_u_q), .u_o(fu));
   ptm_unit_wrap u_wrap_v (.wrap_i(a1_wrap_v_q), .u_i(a1_v_q), .u_o(fv));
-  for (genvar t = 0; t < 2; t++) begin : gen_product
-    assign product_u[t] = 32'(fu) * 32'(a1_width_q[t]);
-    assign product_v[t] = 32'(fv) * 32'(a1_height_q[t]);
-  end
 
   logic                a2_valid, a2_ready, a2_load;
   ptm_unit_pkg::beat_t a2_beat_q;
   logic                a2_repeat_u_q, a2_repeat_v_q, a2_bilinear_q, a2_color_q;
   logic [2:0]          a2_planes_q;
-  logic [1:0][3:0]     a2_level_q;
-  logic [1:0][12:0]    a2_width_q, a2_height_q;
-  logic [1:0][25:0]    a2_base_q;
-  logic [1:0][31:0]    a2_product_u_q, a2_product_v_q;
+  ptm_unit_front_pkg::level_t a2_map_q, a2_color_level_q;
+  logic [31:0]         a2_map_u_q, a2_map_v_q, a2_color_u_q, a2_color_v_q;  // products
   ptm_stream_reg u_a2 (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(a1_valid), .ready_o(a1_ready), .load_o(a2_load),
     .valid_o(a2_valid), .ready_i(a2_ready)
@@ -106,41 +94,35 @@ module ptm_unit_address #(
       a2_bilinear_q  <= a1_bilinear_q;
       a2_planes_q    <= a1_planes_q;
       a2_color_q     <= a1_color_q;
-      a2_level_q     <= a1_level_q;
-      a2_width_q     <= a1_width_q;
-      a2_height_q    <= a1_height_q;
-      a2_base_q      <= a1_base_q;
-      a2_product_u_q <= product_u;
-      a2_product_v_q <= product_v;
+      a2_map_q       <= a1_map_q;
+      a2_color_level_q <= a1_color_level_q;
+      a2_map_u_q     <= 32'(fu) * 32'(a1_map_q.width);
+      a2_map_v_q     <= 32'(fv) * 32'(a1_map_q.height);
+      a2_color_u_q   <= 32'(fu) * 32'(a1_color_level_q.width);
+      a2_color_v_q   <= 32'(fv) * 32'(a1_color_level_q.height);
     end
   end
 
   // U4, U5, U6 | A3
-  logic [1:0][7:0]             wu, wv;
-  ptm_unit_front_pkg::texels_t texels [2];
-  for (genvar t = 0; t < 2; t++) begin : gen_texels
-    logic [11:0] i0, i1, j0, j1;
-    ptm_unit_scale u_scale_u (
-      .bilinear_i(a2_bilinear_q), .repeat_i(a2_repeat_u_q), .product_i(a2_product_u_q[t]),
-      .side_i(a2_width_q[t]), .i0_o(i0), .i1_o(i1), .weight_o(wu[t])
-    );
-    ptm_unit_scale u_scale_v (
-      .bilinear_i(a2_bilinear_q), .repeat_i(a2_repeat_v_q), .product_i(a2_product_v_q[t]),
-      .side_i(a2_height_q[t]), .i0_o(j0), .i1_o(j1), .weight_o(wv[t])
-    );
-    ptm_unit_tiles u_tiles (
-      .width_i(a2_width_q[t]), .base_i(a2_base_q[t]), .planes_i(t == 0 ? a2_planes_q : 3'd1),
-      .level_i(a2_level_q[t]), .columns_i(wu[t] != 8'd0), .rows_i(wv[t] != 8'd0),
-      .i_i({i1, i0}), .j_i({j1, j0}), .texels_o(texels[t])
-    );
-  end
+  logic [7:0]                  map_wu, map_wv, color_wu, color_wv;
+  ptm_unit_front_pkg::texels_t texels_map, texels_color;
+  ptm_unit_tiles u_tiles_map (
+    .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q), .repeat_v_i(a2_repeat_v_q),
+    .product_u_i(a2_map_u_q), .product_v_i(a2_map_v_q), .level_i(a2_map_q),
+    .planes_i(a2_planes_q), .wu_o(map_wu), .wv_o(map_wv), .texels_o(texels_map)
+  );
+  ptm_unit_tiles u_tiles_color (
+    .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q), .repeat_v_i(a2_repeat_v_q),
+    .product_u_i(a2_color_u_q), .product_v_i(a2_color_v_q), .level_i(a2_color_level_q),
+    .planes_i(3'd1), .wu_o(color_wu), .wv_o(color_wv), .texels_o(texels_color)
+  );
   ptm_unit_pkg::beat_t weighted;
   always_comb begin
     weighted          = a2_beat_q;
-    weighted.ptm.wu   = wu[0];
-    weighted.ptm.wv   = wv[0];
-    weighted.color.wu = wu[1];
-    weighted.color.wv = wv[1];
+    weighted.ptm.wu   = map_wu;
+    weighted.ptm.wv   = map_wv;
+    weighted.color.wu = color_wu;
+    weighted.color.wv = color_wv;
   end
 
   logic                        a3_ready, a3_load;
@@ -157,8 +139,8 @@ module ptm_unit_address #(
       a3_beat_q         <= weighted;
       a3_planes_q       <= a2_planes_q;
       a3_color_q        <= a2_color_q;
-      a3_map_q          <= texels[0];
-      a3_color_texels_q <= texels[1];
+      a3_map_q          <= texels_map;
+      a3_color_texels_q <= texels_color;
     end
   end
 

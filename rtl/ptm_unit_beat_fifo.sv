@@ -4,24 +4,26 @@
 `include "ptm_assert.svh"
 module ptm_unit_beat_fifo #(
   parameter int Tmus  = 3,
-  parameter int Depth = 192  // 4..1024
+  parameter int Depth = 192,  // 4..1024
+  localparam int ReadsW = ptm_unit_front_pkg::ReadsW
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
   input  logic                valid_i,
   output logic                ready_o,
   input  ptm_unit_pkg::beat_t beat_i,
-  input  ptm_unit_front_pkg::reads_t [Tmus-1:0] reads_i,
+  input  logic [Tmus*ReadsW-1:0] reads_i,
   output logic                valid_o,
   input  logic                ready_i,
   output ptm_unit_pkg::beat_t beat_o,
-  output ptm_unit_front_pkg::reads_t [Tmus-1:0] reads_o
+  output logic [Tmus*ReadsW-1:0] reads_o
 );
   localparam int PlaceBits = $clog2(Depth);
   localparam int CountBits = $clog2(Depth + 1);
 
-  ptm_unit_pkg::beat_t                    beat_q [Depth];
-  ptm_unit_front_pkg::reads_t [Tmus-1:0] reads_q [Depth];
+  localparam int BeatW = ptm_unit_pkg::BeatW;
+  logic [BeatW-1:0]       beat_q [Depth];
+  logic [Tmus*ReadsW-1:0] reads_q [Depth];
   logic [PlaceBits-1:0] write_q, read_q;
   logic [CountBits-1:0] count_q;
 

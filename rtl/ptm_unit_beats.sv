@@ -5,11 +5,12 @@
 // address half. Timing: docs/spec/unit-timing.md, Address.
 `include "ptm_assert.svh"
 module ptm_unit_beats #(
-  parameter int Tmus = 3
+  parameter int Tmus = 3,
+  localparam int DrawW = ptm_unit_pkg::DrawW
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
-  input  ptm_unit_pkg::draw_t [ptm_unit_pkg::Draws-1:0] draws_i,
+  input  logic [ptm_unit_pkg::Draws*DrawW-1:0] draws_i,
   input  logic                      valid_i,
   output logic                      ready_o,
   input  ptm_unit_pkg::fragment_t   fragment_i,
@@ -24,11 +25,8 @@ module ptm_unit_beats #(
   output logic                      bilinear_o,
   output logic [2:0]                planes_o,    // of the map: 0, 1, 3, 6
   output logic                      color_o,     // the draw has a colour texture
-  // By texture (0 map, 1 colour), of the footprint's level
-  output logic [1:0][3:0]           level_o,
-  output logic [1:0][12:0]          width_o,
-  output logic [1:0][12:0]          height_o,
-  output logic [1:0][25:0]          base_o
+  output ptm_unit_front_pkg::level_t map_o,      // of the footprint
+  output ptm_unit_front_pkg::level_t color_level_o
 );
   logic                    load;
   logic                    last;
@@ -40,7 +38,7 @@ module ptm_unit_beats #(
   always_ff @(posedge clk_i) if (load) fragment_q <= fragment_i;
 
   ptm_unit_pkg::draw_t draw;
-  assign draw = draws_i[fragment_q.draw];
+  assign draw = draws_i[fragment_q.draw*DrawW +: DrawW];
 
   // Words: the map's planes, then the colour texture
   always_comb begin
@@ -51,36 +49,33 @@ module ptm_unit_beats #(
       default: planes_o = 3'd0;
     endcase
   end
-  assign color_o = draw.color;
   logic [2:0] words, groups_less_1;
   assign words         = planes_o + 3'(draw.color);
-  assign groups_less_1 = 3'((4'(words) - 4'd1) / 4'(Tmus));
+  assign groups_less_1 = (words - 3'd1) / 3'(Tmus);
 
   // U2
   logic signed [13:0] color_sum;
   logic [11:0]        color_lod;
   assign color_sum = signed'({2'b0, fragment_q.lod}) + 14'(draw.color_lod);
   assign color_lod = color_sum[13] ? 12'd0 : color_sum[12] ? 12'hfff : color_sum[11:0];
-  logic [1:0]      has;
-  logic [1:0][3:0] level;
-  logic [1:0][7:0] weight, weight_any;
-  assign has = {draw.color, draw.format != ptm_unit_pkg::FormatNone};
-  ptm_unit_level u_level_map (
-    .mip_i(draw.mip), .lod_i(fragment_q.lod), .levels_i(draw.ptm.levels), .level_o(level[0]),
-    .weight_o(weight_any[0])
+  logic       second_q;
+  logic [7:0] weight_map, weight_color;
+  logic       fetched_map, fetched_color;
+  ptm_unit_footprint u_map (
+    .texture_i(draw.ptm), .has_i(draw.format != ptm_unit_pkg::FormatNone), .mip_i(draw.mip),
+    .lod_i(fragment_q.lod), .second_i(second_q), .weight_o(weight_map), .fetched_o(fetched_map),
+    .level_o(map_o)
   );
-  ptm_unit_level u_level_color (
-    .mip_i(draw.mip), .lod_i(color_lod), .levels_i(draw.color_texture.levels),
-    .level_o(level[1]), .weight_o(weight_any[1])
+  ptm_unit_footprint u_color (
+    .texture_i(draw.color_texture), .has_i(draw.color), .mip_i(draw.mip), .lod_i(color_lod),
+    .second_i(second_q), .weight_o(weight_color), .fetched_o(fetched_color),
+    .level_o(color_level_o)
   );
-  assign weight[0] = has[0] ? weight_any[0] : 8'd0;
-  assign weight[1] = has[1] ? weight_any[1] : 8'd0;
   logic two_footprints;
-  assign two_footprints = weight != '0;
+  assign two_footprints = weight_map != 8'd0 || weight_color != 8'd0;
 
   // Where the fragment stands
   logic [3:0] probe_q;
-  logic       second_q;
   logic [2:0] group_q;
   logic       last_group, last_footprint, last_probe;
   assign last_group     = group_q == groups_less_1;
@@ -109,24 +104,10 @@ module ptm_unit_beats #(
     .probes_log2_i(fragment_q.probes_log2), .u_o(v_o)
   );
 
-  // Level l has max(1, W >> l) columns
-  logic [1:0][12:0] width, height;
-  assign width  = {draw.color_texture.width, draw.ptm.width};
-  assign height = {draw.color_texture.height, draw.ptm.height};
-  for (genvar t = 0; t < 2; t++) begin : gen_texture
-    logic [12:0] width_l, height_l;
-    assign level_o[t]  = level[t] + 4'(second_q && weight[t] != 8'd0);
-    assign width_l     = width[t] >> level_o[t];
-    assign height_l    = height[t] >> level_o[t];
-    assign width_o[t]  = width_l == 13'd0 ? 13'd1 : width_l;
-    assign height_o[t] = height_l == 13'd0 ? 13'd1 : height_l;
-  end
-  assign base_o[0] = draw.ptm.base[level_o[0]];
-  assign base_o[1] = draw.color_texture.base[level_o[1]];
-
   assign wrap_u_o   = draw.wrap_u;
   assign wrap_v_o   = draw.wrap_v;
   assign bilinear_o = draw.bilinear;
+  assign color_o    = draw.color;
 
   always_comb begin
     beat_o               = '0;
@@ -140,10 +121,10 @@ module ptm_unit_beats #(
     beat_o.first_probe   = probe_q == 4'd0;
     beat_o.second        = second_q;
     beat_o.group         = group_q;
-    beat_o.ptm.f         = weight[0];
-    beat_o.ptm.fetched   = has[0] && (!second_q || weight[0] != 8'd0);
-    beat_o.color.f       = weight[1];
-    beat_o.color.fetched = has[1] && (!second_q || weight[1] != 8'd0);
+    beat_o.ptm.f         = weight_map;
+    beat_o.ptm.fetched   = fetched_map;
+    beat_o.color.f       = weight_color;
+    beat_o.color.fetched = fetched_color;
     beat_o.last          = last;
   end
 

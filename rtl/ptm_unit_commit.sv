@@ -3,57 +3,43 @@
 // rank, and its slots return. docs/spec/unit-timing.md, Commit and fetch.
 module ptm_unit_commit #(
   parameter int Tmus = 3,
-  localparam int RowBits = ptm_unit_front_pkg::RowBits
+  localparam int RowBits = ptm_unit_front_pkg::RowBits,
+  localparam int ReadsW  = ptm_unit_front_pkg::ReadsW
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
   input  logic                valid_i,
   output logic                ready_o,
   input  ptm_unit_pkg::beat_t beat_i,
-  input  ptm_unit_front_pkg::reads_t [Tmus-1:0] reads_i,
+  input  logic [Tmus*ReadsW-1:0] reads_i,
   // Miss ring
   output logic [Tmus-1:0]     rank_o,
   input  logic                usable_i,
   output logic                commit_o,
   output logic                release_o,
-  output logic [Tmus-1:0][RowBits-1:0] row_o,  // where the rank's lines go
+  output logic [Tmus*RowBits-1:0] row_o,  // where the rank's lines go
   // F
   output logic                valid_o,
   input  logic                ready_i,
   output ptm_unit_pkg::beat_t beat_o,
-  output ptm_unit_front_pkg::reads_t [Tmus-1:0] reads_o,
+  output logic [Tmus*ReadsW-1:0] reads_o,
   output logic                holds_o          // a beat stands here
 );
   logic                k_load, leaves;
   ptm_unit_pkg::beat_t beat_q;
-  ptm_unit_front_pkg::reads_t [Tmus-1:0] reads_q;
   ptm_stream_reg u_k (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .load_o(k_load),
     .valid_o(holds_o), .ready_i(leaves)
   );
-  always_ff @(posedge clk_i) begin
-    if (k_load) begin
-      beat_q  <= beat_i;
-      reads_q <= reads_i;
-    end
-  end
+  always_ff @(posedge clk_i) if (k_load) beat_q <= beat_i;
 
-  logic [Tmus-1:0][3:0] left_q, left_after;
-  logic [Tmus-1:0]      more;
+  logic [Tmus-1:0] more;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
-    ptm_unit_front_pkg::reads_t reads, reads_in;
-    assign reads    = reads_q[t];
-    assign reads_in = reads_i[t];
-    logic [1:0] tap;
-    assign tap           = left_q[t][0] ? 2'd0 : left_q[t][1] ? 2'd1 : left_q[t][2] ? 2'd2 : 2'd3;
-    assign rank_o[t]     = holds_o && left_q[t] != 4'd0;
-    assign row_o[t]      = reads.row[tap];
-    assign left_after[t] = left_q[t] & (left_q[t] - 4'd1);
-    assign more[t]       = left_after[t] != 4'd0;
-    always_ff @(posedge clk_i) begin
-      if (k_load) left_q[t] <= reads_in.missed;
-      else if (commit_o) left_q[t] <= left_after[t];
-    end
+    ptm_unit_tmu_commit u_tmu (
+      .clk_i(clk_i), .load_i(k_load), .reads_i(reads_i[t*ReadsW +: ReadsW]), .valid_i(holds_o),
+      .commit_i(commit_o), .line_o(rank_o[t]), .row_o(row_o[t*RowBits +: RowBits]),
+      .more_o(more[t]), .reads_o(reads_o[t*ReadsW +: ReadsW])
+    );
   end
 
   logic last_rank;
@@ -63,5 +49,4 @@ module ptm_unit_commit #(
   assign commit_o  = holds_o && usable_i && ready_i;
   assign release_o = leaves;
   assign beat_o    = beat_q;
-  assign reads_o   = reads_q;
 endmodule

@@ -18,11 +18,11 @@ module ptm_unit_front #(
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
-  input  ptm_unit_pkg::draw_t [ptm_unit_pkg::Draws-1:0] draws_i,
+  input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_i,
   input  logic                      invalidate_i,  // only while nothing is inside
   input  logic                      clear_i,
   output logic                      busy_o,
-  output logic [36:0][63:0]         counters_o,
+  output logic [ptm_unit_pkg::Counters*64-1:0] counters_o,
   // Fragments
   input  logic                      valid_i,
   output logic                      ready_o,
@@ -40,7 +40,7 @@ module ptm_unit_front #(
   output logic                      d_valid_o,
   input  logic                      d_ready_i,
   output ptm_unit_pkg::beat_t       d_beat_o,
-  output ptm_unit_pkg::taps_t [Tmus-1:0] d_taps_o,
+  output logic [Tmus*ptm_unit_pkg::TapsW-1:0] d_taps_o,  // taps_t, TMU 0 lowest
   // From behind D: a pixel is taken, counters' increments
   input  logic                      pixel_taken_i,
   input  logic [2:0]                inc_palette_i,
@@ -50,6 +50,7 @@ module ptm_unit_front #(
 );
   localparam int Sets = CacheKib * 4 / Ways;  // of a tag bank
   localparam int Rows = CacheKib * 16;        // of a data bank
+  localparam int ReadsW = ptm_unit_front_pkg::ReadsW;
 
   `PTM_ASSERT_INIT(TmusInRange_A, Tmus >= 1 && Tmus <= 3)
   `PTM_ASSERT_INIT(CacheKibInRange_A,
@@ -61,7 +62,7 @@ module ptm_unit_front #(
   // A0 to A3
   logic                a_valid, a_ready;
   ptm_unit_pkg::beat_t a_beat;
-  ptm_unit_front_pkg::lookup_t [Tmus-1:0] a_lookup;
+  logic [Tmus*ptm_unit_front_pkg::LookupW-1:0] a_lookup;
   logic                inc_conflicts;
   logic [1:0]          inc_words;
   logic [3:0]          inc_taps, inc_address;
@@ -76,13 +77,13 @@ module ptm_unit_front #(
 
   // T
   logic [Tmus-1:0]               miss_valid;
-  logic [Tmus-1:0][LineBits-1:0] miss_line;
+  logic [Tmus*LineBits-1:0]      miss_line;
   logic                          miss_push, miss_fits;
   logic                t_valid, t_ready;
   ptm_unit_pkg::beat_t t_beat;
-  ptm_unit_front_pkg::reads_t [Tmus-1:0] t_reads;
+  logic [Tmus*ReadsW-1:0] t_reads;
   logic                t_waits, looked;
-  logic [Tmus-1:0][3:0] hits, misses, duplicates;
+  logic [Tmus*4-1:0]   hits, misses, duplicates;
   logic [Tmus-1:0]      looked_color;
   logic [ptm_unit_pkg::DrawBits-1:0] looked_draw;
   ptm_unit_tags #(
@@ -99,7 +100,7 @@ module ptm_unit_front #(
   // Fragment FIFO
   logic                q_valid, q_ready;
   ptm_unit_pkg::beat_t q_beat;
-  ptm_unit_front_pkg::reads_t [Tmus-1:0] q_reads;
+  logic [Tmus*ReadsW-1:0] q_reads;
   ptm_unit_beat_fifo #(
     .Tmus(Tmus), .Depth(FragmentFifo)
   ) u_fragment_fifo (
@@ -110,11 +111,11 @@ module ptm_unit_front #(
   // K
   logic [Tmus-1:0]     rank;
   logic                usable, commit, give_back;
-  logic [Tmus-1:0][ptm_unit_front_pkg::RowBits-1:0] rank_row;
-  logic [Tmus-1:0][LineWidth-1:0]                   rank_line;
+  logic [Tmus*ptm_unit_front_pkg::RowBits-1:0] rank_row;
+  logic [Tmus*LineWidth-1:0]                   rank_line;
   logic                k_valid, k_holds, f_ready;
   ptm_unit_pkg::beat_t k_beat;
-  ptm_unit_front_pkg::reads_t [Tmus-1:0] k_reads;
+  logic [Tmus*ReadsW-1:0] k_reads;
   ptm_unit_commit #(
     .Tmus(Tmus)
   ) u_commit (

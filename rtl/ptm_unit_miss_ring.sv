@@ -17,7 +17,7 @@ module ptm_unit_miss_ring #(
   input  logic                 rst_ni,
   // T
   input  logic [Tmus-1:0]                miss_valid_i,
-  input  logic [Tmus-1:0][LineBits-1:0]  miss_line_i,
+  input  logic [Tmus*LineBits-1:0]       miss_line_i,
   input  logic                           miss_push_i,
   output logic                           miss_fits_o,
   // Memory
@@ -34,7 +34,7 @@ module ptm_unit_miss_ring #(
   output logic                 usable_o,     // all of them are there
   input  logic                 commit_i,     // they are taken
   input  logic                 release_i,    // with the beat's last rank, or without misses
-  output logic [Tmus-1:0][LineWidth-1:0] line_o
+  output logic [Tmus*LineWidth-1:0] line_o
 );
   localparam int SlotBits  = $clog2(MissFifo);
   localparam int CountBits = $clog2(MissFifo + 1);
@@ -76,7 +76,8 @@ module ptm_unit_miss_ring #(
   for (genvar t = 0; t < Tmus; t++) begin : gen_push
     always_ff @(posedge clk_i) begin
       if (push && miss_valid_i[t]) begin
-        address_q[behind(tail_q, lines_before(miss_valid_i, t))] <= miss_line_i[t];
+        address_q[behind(tail_q, lines_before(miss_valid_i, t))] <=
+            miss_line_i[t*LineBits +: LineBits];
       end
     end
   end
@@ -105,7 +106,7 @@ module ptm_unit_miss_ring #(
     logic [SlotBits-1:0] slot;
     assign slot      = behind(head_q, lines_before(rank_i, t));
     assign there[t]  = !rank_i[t] || usable_q[slot];
-    assign line_o[t] = line_q[slot];
+    assign line_o[t*LineWidth +: LineWidth] = line_q[slot];
   end
   assign usable_o = there == '1;
 

@@ -7,7 +7,8 @@
 // TMU t has word group * Tmus + t of the draw: the map's planes, then the colour texture.
 module ptm_unit_split #(
   parameter int Tmus = 3,
-  parameter int Sets = 32
+  parameter int Sets = 32,
+  localparam int LookupW = ptm_unit_front_pkg::LookupW
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -22,7 +23,7 @@ module ptm_unit_split #(
   // Sub-beat
   input  logic                        ready_i,
   output ptm_unit_pkg::beat_t         beat_o,
-  output ptm_unit_front_pkg::lookup_t [Tmus-1:0] lookup_o,
+  output logic [Tmus*LookupW-1:0]     lookup_o,  // lookup_t, TMU 0 lowest
   // Counters' increments, in the cycle in which a sub-beat leaves
   output logic                        inc_conflicts_o,
   output logic [1:0]                  inc_words_o,
@@ -63,20 +64,20 @@ module ptm_unit_split #(
     endcase
   end
 
-  logic [Tmus-1:0] fetched;
+  logic [Tmus-1:0]   fetched;
+  logic [Tmus*3-1:0] tap_count;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     logic [4:0] word;
     logic       color;
     assign word       = first_word + 5'(t);
     assign color      = word >= 5'(planes_i);
     assign fetched[t] = color ? reads_color && word == 5'(planes_i) : reads_map;
-    ptm_unit_front_pkg::texels_t texels;
-    assign texels = color ? color_texels_i : map_i;
     ptm_unit_lookup #(
       .Sets(Sets)
     ) u_lookup (
-      .texels_i(texels), .color_i(color), .fetched_i(fetched[t]),
-      .plane_i(color ? 3'd0 : word[2:0]), .taps_i(taps), .lookup_o(lookup_o[t])
+      .texels_map_i(map_i), .texels_color_i(color_texels_i), .color_i(color),
+      .fetched_i(fetched[t]), .plane_i(color ? 3'd0 : word[2:0]), .taps_i(taps),
+      .lookup_o(lookup_o[t*LookupW +: LookupW]), .taps_o(tap_count[t*3 +: 3])
     );
   end
 
@@ -99,9 +100,7 @@ module ptm_unit_split #(
     inc_taps_o  = 4'd0;
     for (int t = 0; t < Tmus; t++) begin
       if (leaves_first && fetched[t]) inc_words_o = inc_words_o + 2'd1;
-      for (int tap = 0; tap < 4; tap++) begin
-        if (leaves && lookup_o[t].fetched[tap]) inc_taps_o = inc_taps_o + 4'd1;
-      end
+      if (leaves) inc_taps_o = inc_taps_o + 4'(tap_count[t*3 +: 3]);
     end
   end
 endmodule

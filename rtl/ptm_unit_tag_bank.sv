@@ -20,12 +20,12 @@ module ptm_unit_tag_bank #(
   output logic                            hit_o,
   output logic [1:0]                      way_o,  // of the hit, or the one to be allocated
   input  logic [Snoops-1:0]               snoop_i,
-  input  logic [Snoops-1:0][SetBits-1:0]  snoop_set_i,
-  input  logic [Snoops-1:0][LineBits-1:0] snoop_line_i,
+  input  logic [Snoops*SetBits-1:0]       snoop_set_i,
+  input  logic [Snoops*LineBits-1:0]      snoop_line_i,
   output logic [Snoops-1:0]               snoop_held_o
 );
   localparam int Lines    = Sets * Ways;
-  localparam int LineBitsIn = Lines == 1 ? 1 : $clog2(Lines);
+  localparam int PlaceBits = Lines == 1 ? 1 : $clog2(Lines);
 
   logic [Lines-1:0]    valid_q;          // {set, way}
   logic [LineBits-1:0] tag_q [Lines];
@@ -33,8 +33,9 @@ module ptm_unit_tag_bank #(
   // was used, so it needs no reset: it is asked only where all ways are valid.
   logic [Ways*Ways-1:0] older_q [Sets];
 
-  function automatic logic [LineBitsIn-1:0] place(input logic [SetBits-1:0] set, input int way);
-    place = LineBitsIn'(int'(set) * Ways + way);
+  function automatic logic [PlaceBits-1:0] place(input logic [SetBits-1:0] of_set,
+                                                 input logic [1:0] of_way);
+    place = PlaceBits'(32'(of_set) * Ways + 32'(of_way));
   endfunction
 
   localparam int SetIndexBits = Sets == 1 ? 1 : $clog2(Sets);
@@ -45,8 +46,8 @@ module ptm_unit_tag_bank #(
 
   logic [Ways-1:0] match, valid, oldest;
   for (genvar w = 0; w < Ways; w++) begin : gen_way
-    assign valid[w] = valid_q[place(set_i, w)];
-    assign match[w] = valid[w] && tag_q[place(set_i, w)] == line_i;
+    assign valid[w] = valid_q[place(set_i, 2'(w))];
+    assign match[w] = valid[w] && tag_q[place(set_i, 2'(w))] == line_i;
     assign oldest[w] = (older[w*Ways +: Ways] | Ways'(1 << w)) == '1;
   end
   assign hit_o = match != '0;
@@ -70,13 +71,13 @@ module ptm_unit_tag_bank #(
   always_ff @(posedge clk_i) begin
     if (update_i) begin
       older_q[set] <= older_after;
-      if (!hit_o) tag_q[place(set_i, int'(way_o))] <= line_i;
+      if (!hit_o) tag_q[place(set_i, way_o)] <= line_i;
     end
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
     else if (invalidate_i) valid_q <= '0;
-    else if (update_i && !hit_o) valid_q[place(set_i, int'(way_o))] <= 1'b1;
+    else if (update_i && !hit_o) valid_q[place(set_i, way_o)] <= 1'b1;
   end
 
   always_comb begin
@@ -84,8 +85,8 @@ module ptm_unit_tag_bank #(
     for (int s = 0; s < Snoops; s++) begin
       if (snoop_i[s]) begin
         for (int w = 0; w < Ways; w++) begin
-          if (valid_q[place(snoop_set_i[s], w)] &&
-              tag_q[place(snoop_set_i[s], w)] == snoop_line_i[s]) begin
+          if (valid_q[place(snoop_set_i[s*SetBits +: SetBits], 2'(w))] &&
+              tag_q[place(snoop_set_i[s*SetBits +: SetBits], 2'(w))] == snoop_line_i[s*LineBits +: LineBits]) begin
             snoop_held_o[s] = 1'b1;
           end
         end

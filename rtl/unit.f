@@ -4,6 +4,7 @@ rtl/ptm_unit_front_pkg.sv
 rtl/ptm_unit_probe.sv
 rtl/ptm_unit_level.sv
 rtl/ptm_unit_wrap.sv
+rtl/ptm_unit_footprint.sv
 rtl/ptm_unit_scale.sv
 rtl/ptm_unit_tiles.sv
 rtl/ptm_unit_lookup.sv
@@ -11,11 +12,14 @@ rtl/ptm_unit_beats.sv
 rtl/ptm_unit_split.sv
 rtl/ptm_unit_address.sv
 rtl/ptm_unit_tag_bank.sv
+rtl/ptm_unit_tmu_tags.sv
 rtl/ptm_unit_tags.sv
 rtl/ptm_unit_miss_ring.sv
 rtl/ptm_unit_beat_fifo.sv
+rtl/ptm_unit_tmu_commit.sv
 rtl/ptm_unit_commit.sv
 rtl/ptm_unit_data_bank.sv
+rtl/ptm_unit_tmu_fetch.sv
 rtl/ptm_unit_fetch.sv
 rtl/ptm_unit_counters.sv
 rtl/ptm_unit_front.sv
