@@ -1,15 +1,21 @@
-// The unit's registers. Skeleton, the ports are final.
+// The unit's registers: draws, palettes' addresses, status, counters; the check of what was
+// written.
+//
+// Map: docs/spec/unit.md, Registers. A write takes one cycle; reading is combinational. Addresses
+// that hold nothing read as 0 and are not written. Writing a draw's control starts its check, which
+// looks at one level a cycle, the map's 13 and then the colour texture's, in 26 cycles; draws whose
+// control is written meanwhile wait, the lowest first.
 module ptm_unit_registers (
   input  logic        clk_i,
   input  logic        rst_ni,
-  // The register port: a write a cycle; reading is combinational
+  // The register port
   input  logic        reg_we_i,
   input  logic [15:0] reg_addr_i,
   input  logic [31:0] reg_wdata_i,
   output logic [31:0] reg_rdata_o,
   output logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_o,  // draw_t, draw 0 lowest
   output logic        error_o,       // a draw that was written is illegal
-  output logic        checking_o,    // a draw is being looked at
+  output logic        checking_o,    // a draw is looked at, or waits for it
   input  logic        busy_i,        // fragments inside
   output logic        invalidate_o,  // the caches; in the cycle of the write
   output logic        clear_o,       // the counters; in the cycle of the write
@@ -23,8 +29,147 @@ module ptm_unit_registers (
   output logic [14:0] pal_rgb_addr_o,
   output logic [31:0] pal_data_o
 );
-  assign reg_rdata_o = '0;
-  assign draws_o     = '0;
-  assign {error_o, checking_o, invalidate_o, clear_o} = '0;
-  assign {pal_lrgb_we_o, pal_lrgb_addr_o, pal_rgb_we_o, pal_rgb_addr_o, pal_data_o} = '0;
+  localparam int DrawW    = ptm_unit_pkg::DrawW;
+  localparam int Draws    = ptm_unit_pkg::Draws;
+  localparam int LastLevel = ptm_unit_pkg::LevelsMax - 1;
+
+  // Writes
+  logic we_draws, we_command, we_lines;
+  assign we_draws        = reg_we_i && reg_addr_i[15:8] == 8'h00;
+  assign we_command      = reg_we_i && reg_addr_i == 16'h1000;
+  assign we_lines        = reg_we_i && reg_addr_i == 16'h1001;
+  assign invalidate_o    = we_command && reg_wdata_i[0];
+  assign clear_o         = we_command && reg_wdata_i[1];
+  assign pal_lrgb_we_o   = reg_we_i && reg_addr_i[15:11] == 5'b01000;
+  assign pal_lrgb_addr_o = reg_addr_i[10:0];
+  assign pal_rgb_we_o    = reg_we_i && reg_addr_i[15];
+  assign pal_rgb_addr_o  = reg_addr_i[14:0];
+  assign pal_data_o      = reg_wdata_i;
+
+  logic [ptm_unit_pkg::LineBits:0] memory_lines_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) memory_lines_q <= '0;
+    else if (we_lines) memory_lines_q <= reg_wdata_i[ptm_unit_pkg::LineBits:0];
+  end
+
+  ptm_unit_pkg::draw_t checked;  // the draw that is looked at
+  logic [1:0]          check_draw_q;
+  logic [Draws-1:0]    we_control;
+  for (genvar d = 0; d < Draws; d++) begin : gen_draw
+    ptm_draw_registers u_draw (
+      .clk_i(clk_i), .rst_ni(rst_ni), .we_i(we_draws && reg_addr_i[7:6] == 2'(d)),
+      .addr_i(reg_addr_i[5:0]), .data_i(reg_wdata_i), .we_control_o(we_control[d]),
+      .draw_o(draws_o[d*DrawW +: DrawW])
+    );
+  end
+  always_comb begin
+    case (check_draw_q)
+      2'd0:    checked = draws_o[0*DrawW +: DrawW];
+      2'd1:    checked = draws_o[1*DrawW +: DrawW];
+      2'd2:    checked = draws_o[2*DrawW +: DrawW];
+      default: checked = draws_o[3*DrawW +: DrawW];
+    endcase
+  end
+
+  // The check: one level of one texture a cycle
+  logic             active_q, texture_q;
+  logic [3:0]       level_q;
+  logic [Draws-1:0] waiting_q;
+  logic [2:0]       seen_q;    // control, levels, size: errors so far
+  logic             beyond_q;  // error 4 so far
+  logic [4*Draws-1:0] errors_q;
+
+  logic bad_size, bad_levels, bad_control, beyond;
+  ptm_draw_check u_check (
+    .format_i(checked.format), .mip_i(checked.mip), .wrap_u_i(checked.wrap_u),
+    .wrap_v_i(checked.wrap_v), .combine_i(checked.combine), .color_i(checked.color),
+    .texture_i(texture_q), .width_i(texture_q ? checked.color_texture.width : checked.ptm.width),
+    .height_i(texture_q ? checked.color_texture.height : checked.ptm.height),
+    .levels_i(texture_q ? checked.color_texture.levels : checked.ptm.levels), .level_i(level_q),
+    .base_i(base), .memory_lines_i(memory_lines_q), .bad_size_o(bad_size),
+    .bad_levels_o(bad_levels), .bad_control_o(bad_control), .beyond_o(beyond)
+  );
+  logic [ptm_unit_pkg::LineBits-1:0] base;
+  always_comb begin
+    base = '0;
+    for (int l = 0; l <= LastLevel; l++) begin
+      if (level_q == 4'(l)) base = texture_q ? checked.color_texture.base[l] : checked.ptm.base[l];
+    end
+  end
+
+  logic       last, beyond_all;
+  logic [2:0] seen;
+  logic [3:0] errors;
+  assign last       = texture_q && level_q == 4'(LastLevel);
+  assign seen       = seen_q | {bad_control, bad_levels, bad_size};
+  assign beyond_all = beyond_q || beyond;
+  assign errors     = {seen[2], beyond_all && seen == '0, seen[1:0]};
+
+  // A draw starts to be looked at
+  logic       start;
+  logic [1:0] next;
+  assign start = !active_q && waiting_q != '0;
+  assign next  = waiting_q[0] ? 2'd0 : waiting_q[1] ? 2'd1 : waiting_q[2] ? 2'd2 : 2'd3;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      active_q  <= 1'b0;
+      waiting_q <= '0;
+      errors_q  <= '0;
+    end else begin
+      if (start) active_q <= 1'b1;
+      else if (last) active_q <= 1'b0;
+      for (int d = 0; d < Draws; d++) begin
+        if (we_control[d]) waiting_q[d] <= 1'b1;
+        else if (start && next == 2'(d)) waiting_q[d] <= 1'b0;
+        if (active_q && last && check_draw_q == 2'(d)) errors_q[4*d +: 4] <= errors;
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start) begin
+      check_draw_q <= next;
+      texture_q    <= 1'b0;
+      level_q      <= 4'd0;
+      seen_q       <= '0;
+      beyond_q     <= 1'b0;
+    end else if (active_q) begin
+      seen_q    <= seen;
+      beyond_q  <= beyond_all;
+      level_q   <= level_q == 4'(LastLevel) ? 4'd0 : level_q + 4'd1;
+      texture_q <= texture_q || level_q == 4'(LastLevel);
+    end
+  end
+  assign checking_o = active_q || waiting_q != '0;
+  assign error_o    = errors_q != '0;
+
+  // A response that nobody waits for: the first one's tag is kept until it is cleared.
+  logic       mem_error_q;
+  logic [7:0] mem_error_tag_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) mem_error_q <= 1'b0;
+    else if (clear_o) mem_error_q <= 1'b0;
+    else if (mem_error_i) mem_error_q <= 1'b1;
+  end
+  always_ff @(posedge clk_i) begin
+    if (clear_o) mem_error_tag_q <= 8'd0;
+    else if (mem_error_i && !mem_error_q) mem_error_tag_q <= mem_error_tag_i;
+  end
+
+  // Reading
+  logic [31:0] status, counter;
+  always_comb begin
+    status = '0;
+    for (int d = 0; d < Draws; d++) status[8*d +: 4] = errors_q[4*d +: 4];
+    counter = '0;
+    for (int n = 0; n < 2 * ptm_unit_pkg::Counters; n++) begin
+      if (reg_addr_i[6:0] == 7'(n)) counter = counters_i[32*n +: 32];
+    end
+    if (reg_addr_i[15:7] == 9'h040) reg_rdata_o = counter;
+    else if (reg_addr_i == 16'h1002) reg_rdata_o = status;
+    else if (reg_addr_i == 16'h1003) begin
+      reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 6'd0, mem_error_q,
+                     busy_i || checking_o};
+    end else reg_rdata_o = '0;
+  end
 endmodule
