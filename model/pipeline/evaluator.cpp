@@ -18,8 +18,7 @@ Evaluator::Evaluator(const sc_core::sc_module_name& name, const reference::EvalC
 }
 
 void Evaluator::reset() {
-  registers_ = {};
-  fifo_ = {};
+  time_ = {};
   assembled_ = {};
   counters_ = {};
 }
@@ -49,11 +48,8 @@ bool Evaluator::shade(const EvaluatorBeat& beat) {
 
 Cycle Evaluator::accept(const EvaluatorBeat& beat, Cycle offered) {
   const bool completes = shade(beat);
-  const Cycle taken = registers_.accept(offered, [&](Cycle in_last_register) {
-    if (!completes) return in_last_register;
-    return fifo_.accept(in_last_register,
-                        [&](Cycle at_output) { return out->accept(assembled_, at_output); });
-  });
+  const Cycle taken = time_.accept(
+      completes, offered, [&](Cycle at_output) { return out->accept(assembled_, at_output); });
   if (counters_.beats == 0) counters_.first_accepted = taken;
   ++counters_.beats;
   counters_.multiplies += beat.rgb_map ? 8 : 11;

@@ -12,6 +12,26 @@ struct PixelBeat {
   Pixel pixel;
 };
 
+/// When the evaluator takes beats and gives pixels; values apart.
+class EvaluatorTime {
+ public:
+  static constexpr std::size_t kRegisters = 7;
+  static constexpr std::size_t kFifoDepth = 2;
+
+  /// `completes`: the beat's pixel leaves with it. `out(cycle)` is told from which cycle on that
+  /// pixel is offered, and says when it is taken. Returns the cycle in which the beat is taken.
+  template <class Out>
+  Cycle accept(bool completes, Cycle offered, Out&& out) {
+    return registers_.accept(offered, [&](Cycle in_last_register) {
+      return completes ? fifo_.accept(in_last_register, out) : in_last_register;
+    });
+  }
+
+ private:
+  RegisterChain<kRegisters> registers_;
+  TimedFifo<kFifoDepth> fifo_;
+};
+
 /// The evaluator: seven pipeline registers and an output FIFO of two.
 ///
 /// Values    ptm::reference::evaluate_luminance, color_scale, color_direct; this class owns time.
@@ -22,9 +42,6 @@ struct PixelBeat {
 /// Twin      rtl/ptm_evaluator.sv, equal in every cycle (tests/pipeline/evaluator_chain_test.cpp)
 class Evaluator final : public sc_core::sc_module, public StreamTarget<EvaluatorBeat> {
  public:
-  static constexpr std::size_t kRegisters = 7;
-  static constexpr std::size_t kFifoDepth = 2;
-
   sc_core::sc_export<StreamTarget<EvaluatorBeat>> in{"in"};
   sc_core::sc_port<StreamTarget<PixelBeat>> out{"out"};
 
@@ -47,8 +64,7 @@ class Evaluator final : public sc_core::sc_module, public StreamTarget<Evaluator
   [[nodiscard]] bool shade(const EvaluatorBeat& beat);
 
   reference::EvalConfig config_;
-  RegisterChain<kRegisters> registers_;
-  TimedFifo<kFifoDepth> fifo_;
+  EvaluatorTime time_;
   PixelBeat assembled_;
   Counters counters_;
 };

@@ -1,8 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <unordered_set>
+#include <variant>
 
 #include "model/pipeline/stream_timing.h"
 
@@ -27,23 +26,34 @@ class MemoryTiming {
   virtual void reset() = 0;
 };
 
-/// Cycles to the first answer, and from one answer to the next.
+/// Cycles to the first answer, and from one answer to the next:
+/// done = max(cycle + latency, previous done + interval).
 struct FixedMemory {
   Cycle latency = 100;
   Cycle interval = 4;
 };
 
 /// A paged DRAM behind one channel, parameters named after their data-sheet fields, in the unit's
-/// cycles.
+/// cycles. Page p = address / page_lines is row p / banks of bank p mod banks. A request's commands
+/// start when it comes and its bank has read for the one before (`burst` cycles after that read):
+///
+///     row open     read at once
+///     none open    activate, tRCD later read
+///     other open   precharge (tRAS after its activation at the earliest), tRP later activate
+///
+/// Data follow CL after the read on one bus, in request order, `burst` cycles a line; the answer
+/// arrives `overhead` cycles after the last. Commands do not start in the first tRFC cycles of
+/// each tREFI (the first one excepted), and find every row closed then; what has begun is finished.
 struct DramMemory {
   int banks = 8;
   int page_lines = 32;  ///< lines of 64 bytes a row holds
   Cycle tRCD = 14, tRP = 14, CL = 14, tRAS = 33, burst = 4;
-  Cycle tREFI = 7800, tRFC = 350;  ///< refresh: every tREFI all banks are closed for tRFC
+  Cycle tREFI = 7800, tRFC = 350;  ///< refresh; tREFI = 0: none
   Cycle overhead = 40;             ///< controller and wires, both ways
 };
 
-/// For stress: latencies hashed from (seed, index), answers out of order.
+/// For stress: latencies hashed from (seed, index) in [latency_min, latency_max], answers out of
+/// order; one whose cycle is another's already takes the next free cycle.
 struct RandomMemory {
   std::uint64_t seed = 1;
   Cycle latency_min = 1, latency_max = 200;
@@ -56,8 +66,13 @@ struct MemoryFault {
   std::uint64_t index = 0;
 };
 
+using MemoryModel = std::variant<FixedMemory, DramMemory, RandomMemory>;
+
+/// All throw std::invalid_argument, naming the field, where an answer could not be later than its
+/// request or two could share a cycle.
 [[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const FixedMemory& memory);
 [[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const DramMemory& memory);
 [[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const RandomMemory& memory);
+[[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const MemoryModel& memory);
 
 }  // namespace ptm::pipeline

@@ -14,6 +14,13 @@ namespace ptm::pipeline {
 /// into register i:
 ///
 ///     enter_i(n) = max(enter_(i-1)(n) + 1, enter_(i+1)(n-1))
+///
+/// Put into itself N times, with leave(n) the transfer out of the last register, this is
+///
+///     enter_0(n) = max(offered(n), enter_0(n-1) + 1, leave(n-N))
+///     enter_(N-1)(n) + 1 = max(enter_0(n) + N, leave(n-1) + 1)
+///
+/// (the terms in between are bounded by these: enter_1(n-2) + 1 <= enter_0(n-1) + 1, and so on).
 template <std::size_t N>
 class RegisterChain {
  public:
@@ -21,16 +28,20 @@ class RegisterChain {
   /// which one it is taken from there. Returns the cycle in which the first register takes it.
   template <class Leave>
   Cycle accept(Cycle offered, Leave&& leave) {
-    std::array<Cycle, N> enter;
-    enter[0] = std::max(offered, departed_[0]);
-    for (std::size_t i = 1; i < N; ++i) enter[i] = std::max(enter[i - 1] + 1, departed_[i]);
-    for (std::size_t i = 0; i + 1 < N; ++i) departed_[i] = enter[i + 1];
-    departed_[N - 1] = leave(enter[N - 1] + 1);
-    return enter[0];
+    Cycle& left_before = left_[next_];
+    const Cycle enter = std::max({offered, enter_next_, left_before});
+    const Cycle left = leave(std::max(enter + N, leave_next_));
+    enter_next_ = enter + 1;
+    leave_next_ = left + 1;
+    left_before = left;
+    next_ = next_ + 1 == N ? 0 : next_ + 1;
+    return enter;
   }
 
  private:
-  std::array<Cycle, N> departed_{};  ///< when the previous item left each register
+  std::array<Cycle, N> left_{};  ///< when the last N items left the chain, a ring
+  std::size_t next_ = 0;
+  Cycle enter_next_ = 0, leave_next_ = 0;  ///< the earliest for the next item
 };
 
 /// A FIFO of registers (rtl/ptm_stream_fifo2.sv): latency 1; full at the start of a cycle, it
@@ -46,7 +57,7 @@ class TimedFifo {
     const Cycle push = std::max(offered, slot_usable);
     const Cycle popped = pop(std::max(push + 1, output_free_));
     slot_usable = output_free_ = popped + 1;
-    next_ = (next_ + 1) % Depth;
+    next_ = next_ + 1 == Depth ? 0 : next_ + 1;
     return push;
   }
 

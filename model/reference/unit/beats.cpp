@@ -13,30 +13,11 @@ bool has_texture(const Draw& draw, int texture) {
 
 }  // namespace
 
-Value probe_coordinate(Value u, Value axis, int probe, int probes_log2) {
-  const Value steps = 2 * Value{probe} + 1 - (Value{1} << probes_log2);
-  return u + shift_right(steps * axis, Value{1});
-}
-
-LevelChoice choose_level(Mip mip, Value lod, int levels) {
-  if (mip == Mip::none) return {0, 0};
-  const Value last = Value{levels} - 1;
-  if (mip == Mip::nearest) return {static_cast<int>(smaller((lod + 128) >> 8, last)), 0};
-  const Value limited = smaller(lod, last << 8);
-  return {static_cast<int>(limited >> 8), static_cast<int>(limited & 255)};
-}
-
 LevelChoice choose_level(const Draw& draw, const UnitFragment& fragment, int texture) {
   if (!has_texture(draw, texture)) return {0, 0};
   if (texture == 0) return choose_level(draw.mip, fragment.lod, draw.map.levels);
   const Value lod = std::clamp<Value>(Value{fragment.lod} + draw.color_lod, 0, kLodMax);
   return choose_level(draw.mip, lod, draw.color_texture.levels);
-}
-
-std::int32_t neighbour(Wrap wrap, std::int32_t index, int size) {
-  if (wrap != Wrap::repeat) return std::clamp(index, 0, size - 1);
-  if (index < 0) return size - 1;
-  return index < size ? index : 0;
 }
 
 Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped, int size) {

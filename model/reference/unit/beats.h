@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -33,9 +34,18 @@ struct LevelChoice {
 };
 
 /// U1, one direction. Twin: rtl's A0
-[[nodiscard]] Value probe_coordinate(Value u, Value axis, int probe, int probes_log2);
+[[nodiscard]] inline Value probe_coordinate(Value u, Value axis, int probe, int probes_log2) {
+  const Value steps = 2 * Value{probe} + 1 - (Value{1} << probes_log2);
+  return u + shift_right(steps * axis, Value{1});
+}
 /// U2, one texture. Requires lod in 0 .. 4095, levels in 1 .. 13.
-[[nodiscard]] LevelChoice choose_level(Mip mip, Value lod, int levels);
+[[nodiscard]] inline LevelChoice choose_level(Mip mip, Value lod, int levels) {
+  if (mip == Mip::none) return {0, 0};
+  const Value last = Value{levels} - 1;
+  if (mip == Mip::nearest) return {static_cast<int>(smaller((lod + 128) >> 8, last)), 0};
+  const Value limited = smaller(lod, last << 8);
+  return {static_cast<int>(limited >> 8), static_cast<int>(limited & 255)};
+}
 /// U2, texture 0 (map, by lod) or 1 (colour, by lod + color_lod); level 0 and weight 0 of a texture
 /// that the draw has not.
 [[nodiscard]] LevelChoice choose_level(const Draw& draw, const UnitFragment& fragment, int texture);
@@ -48,7 +58,11 @@ struct Columns {
 };
 [[nodiscard]] Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped, int size);
 /// U5: index in -1 .. size to 0 .. size - 1.
-[[nodiscard]] std::int32_t neighbour(Wrap wrap, std::int32_t index, int size);
+[[nodiscard]] inline std::int32_t neighbour(Wrap wrap, std::int32_t index, int size) {
+  if (wrap != Wrap::repeat) return std::clamp(index, 0, size - 1);
+  if (index < 0) return size - 1;
+  return index < size ? index : 0;
+}
 
 /// How many footprints a fragment has a probe: 1 or 2.
 [[nodiscard]] int footprint_count(const Draw& draw, const UnitFragment& fragment);

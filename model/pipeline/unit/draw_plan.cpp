@@ -1,0 +1,83 @@
+#include "model/pipeline/unit/draw_plan.h"
+
+namespace ptm::pipeline {
+namespace {
+
+using reference::Combine;
+using reference::Draw;
+using reference::TextureFormat;
+using reference::TextureLevels;
+
+TexturePlan plan_texture(const TextureLevels& levels, int texture, int planes) {
+  TexturePlan plan{.texture = texture, .planes = planes, .levels = levels.levels};
+  for (int l = 0; l < levels.levels; ++l) {
+    const auto at = static_cast<std::size_t>(l);
+    const int width = levels.level_width(l);
+    plan.level[at] = {width, levels.level_height(l), static_cast<std::uint32_t>((width + 3) >> 2),
+                      levels.base[at]};
+  }
+  return plan;
+}
+
+/// Fields that are filtered of a word.
+unsigned fields_of(TextureFormat format, const WordPlan& word) {
+  if (word.texture == 1) return 4;
+  if (format == TextureFormat::palette_lrgb) return 9;
+  if (format == TextureFormat::palette_rgb) return 18;
+  return format == TextureFormat::lrgb && word.plane == 2 ? 4 : 3;
+}
+
+void plan_beats(DrawPlan& plan, unsigned tmus) {
+  const auto map_words = static_cast<unsigned>(reference::map_planes(plan.draw.format));
+  const auto words = static_cast<unsigned>(reference::draw_words(plan.draw));
+  plan.beats = (words + tmus - 1) / tmus;
+  for (unsigned w = 0; w < words; ++w) {
+    BeatPlan& beat = plan.beat[w / tmus];
+    const WordPlan word = w < map_words ? WordPlan{0, w} : WordPlan{1, 0};
+    beat.word[beat.words++] = word;
+    ++beat.words_of[word.texture];
+    beat.filter_fields[word.texture] += fields_of(plan.draw.format, word);
+  }
+  for (unsigned b = 0; b < plan.beats; ++b) {
+    BeatPlan& beat = plan.beat[b];
+    beat.address_multiplies = (beat.words_of[0] != 0 ? 4U : 0U) + (beat.words_of[1] != 0 ? 4U : 0U);
+    plan.address_multiplies += beat.address_multiplies;
+    for (std::size_t t = 0; t < 2; ++t) {
+      plan.words_of[t] += beat.words_of[t];
+      plan.filter_fields[t] += beat.filter_fields[t];
+    }
+  }
+}
+
+}  // namespace
+
+DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit) {
+  DrawPlan plan;
+  plan.draw = draw;
+  if (draw.format != TextureFormat::none) {
+    plan.texture[plan.texture_count++] =
+        plan_texture(draw.map, 0, reference::map_planes(draw.format));
+  }
+  if (draw.color) plan.texture[plan.texture_count++] = plan_texture(draw.color_texture, 1, 1);
+  plan_beats(plan, static_cast<unsigned>(unit.tmus));
+  plan.passes = static_cast<unsigned>(reference::draw_passes(draw));
+  if (draw.format == TextureFormat::palette_lrgb) {
+    plan.palette_ports = static_cast<unsigned>(unit.palette_lrgb_ports);
+  } else if (draw.format == TextureFormat::palette_rgb) {
+    plan.palette_ports = static_cast<unsigned>(unit.palette_rgb_ports);
+  }
+  if (draw.format != TextureFormat::none) plan.eval_multiplies = plan.passes == 3 ? 24 : 11;
+  constexpr std::array<unsigned, 6> kCombine{0, 3, 6, 6, 0, 0};
+  plan.combine_multiplies = kCombine[static_cast<std::size_t>(draw.combine)];
+  return plan;
+}
+
+std::vector<DrawPlan> plan_draws(const std::vector<Draw>& draws,
+                                 const reference::UnitConfig& unit) {
+  std::vector<DrawPlan> plans;
+  plans.reserve(draws.size());
+  for (const Draw& draw : draws) plans.push_back(plan_draw(draw, unit));
+  return plans;
+}
+
+}  // namespace ptm::pipeline

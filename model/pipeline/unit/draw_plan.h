@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "model/reference/unit/draw.h"
+#include "model/reference/unit/unit_config.h"
+
+/// What of a draw does not change from fragment to fragment, computed once a frame.
+namespace ptm::pipeline {
+
+inline constexpr int kTmusMax = 3;
+inline constexpr int kDrawWordsMax = 7;
+
+struct LevelPlan {
+  int width = 1, height = 1;
+  std::uint32_t across = 1;  ///< tiles
+  std::uint32_t base = 0;    ///< line
+};
+
+struct TexturePlan {
+  int texture = 0;  ///< 0 the map, 1 the colour
+  int planes = 1;
+  int levels = 1;
+  std::array<LevelPlan, reference::kLevelsMax> level{};
+};
+
+struct WordPlan {
+  std::uint32_t texture = 0, plane = 0;
+};
+
+/// One beat of a footprint: a word a TMU.
+struct BeatPlan {
+  unsigned words = 0;
+  std::array<WordPlan, kTmusMax> word{};
+  std::array<unsigned, 2> words_of{};       ///< of map and colour
+  std::array<unsigned, 2> filter_fields{};  ///< of those words, docs/spec/unit.md, "multiply"
+  unsigned address_multiplies = 0;          ///< without those of probes
+};
+
+struct DrawPlan {
+  reference::Draw draw;
+  std::array<TexturePlan, 2> texture{};
+  unsigned texture_count = 0;  ///< of `texture`; the map first, if there is one
+  std::array<BeatPlan, kDrawWordsMax> beat{};
+  unsigned beats = 0;  ///< a footprint
+  /// Of a whole footprint, by texture or in all.
+  std::array<unsigned, 2> words_of{}, filter_fields{};
+  unsigned address_multiplies = 0;
+  unsigned passes = 1;
+  unsigned palette_ports = 0;  ///< 0: the map has no palette
+  unsigned eval_multiplies = 0, combine_multiplies = 0;
+};
+
+[[nodiscard]] DrawPlan plan_draw(const reference::Draw& draw, const reference::UnitConfig& unit);
+[[nodiscard]] std::vector<DrawPlan> plan_draws(const std::vector<reference::Draw>& draws,
+                                               const reference::UnitConfig& unit);
+
+}  // namespace ptm::pipeline

@@ -1,0 +1,40 @@
+#pragma once
+#include "model/pipeline/unit/filter.h"
+
+namespace ptm::pipeline {
+
+/// D: holds the taps; a palettised map's are looked up here, as many a cycle as it has ports.
+class Palette final : public sc_core::sc_module {
+ public:
+  Palette(const sc_core::sc_module_name& name, Filter& out) : sc_module(name), out_(out) {}
+
+  /// Returns the cycle in which D takes the beat.
+  Cycle accept(const UnitBeat& beat, Cycle offered) {
+    const Cycle enter = std::max(offered, free_);
+    const Cycle ready = enter + look_up(beat);
+    // A sub-beat that is not the last leaves for the holding register whatever P does.
+    free_ = beat.completes ? out_.accept(beat, ready) : ready;
+    return enter;
+  }
+  void reset() {
+    free_ = 0;
+    lookups_ = 0;
+  }
+  [[nodiscard]] std::uint64_t lookups() const { return lookups_; }
+
+ private:
+  /// Cycles that the beat stays at least.
+  Cycle look_up(const UnitBeat& beat) {
+    const unsigned ports = beat.draw->palette_ports;
+    if (ports == 0 || beat.plan->words_of[0] == 0) return 1;
+    const auto taps = static_cast<unsigned>(std::popcount((*beat.tiles)[0].taps & beat.mask));
+    lookups_ += taps;
+    return std::max(1U, (taps + ports - 1) / ports);
+  }
+
+  Filter& out_;
+  Cycle free_ = 0;
+  std::uint64_t lookups_ = 0;
+};
+
+}  // namespace ptm::pipeline

@@ -1,0 +1,125 @@
+#include "model/pipeline/unit/tags.h"
+
+namespace ptm::pipeline {
+
+void Tags::reset(bool keep_cache) {
+  if (!keep_cache) {
+    for (TagCache& cache : caches_) cache.invalidate();
+  }
+  std::fill(fifo_.begin(), fifo_.end(), 0);
+  next_place_ = 0;
+  left_ = 0;
+  commit_empty_ = missed_ = false;
+  counters_ = {};
+}
+
+/// The distinct tiles of one texture's taps, in the order 00, 10, 01, 11 of the first that needs
+/// each.
+unsigned Tags::list_tiles(const UnitBeat& beat, const TexturePlan& texture,
+                          std::array<TilePlace, 4>& tiles) const {
+  const FootprintTiles& at = (*beat.tiles)[static_cast<std::size_t>(texture.texture)];
+  const LevelPlan& level = texture.level[at.level];
+  const auto planes = static_cast<std::uint32_t>(texture.planes);
+  const std::uint32_t salt = 3 * at.level + 5 * static_cast<std::uint32_t>(texture.texture);
+  unsigned count = 0, seen = 0;
+  for (unsigned tap = 0; tap < reference::kTaps; ++tap) {
+    if ((at.taps & beat.mask & (1U << tap)) == 0) continue;
+    // Tap tap & across | tap & down is the first of all that share this tile.
+    const unsigned tile = tap & ((at.tx0 != at.tx1 ? 1U : 0U) | (at.ty0 != at.ty1 ? 2U : 0U));
+    if ((seen & (1U << tile)) != 0) continue;
+    seen |= 1U << tile;
+    const std::uint32_t tx = (tap & 1) != 0 ? at.tx1 : at.tx0;
+    const std::uint32_t ty = (tap & 2) != 0 ? at.ty1 : at.ty0;
+    tiles[count++] = map_.place(tx, ty, salt, level.base + (ty * level.across + tx) * planes);
+  }
+  return count;
+}
+
+void Tags::look_up_word(const UnitBeat& beat, std::size_t tmu, std::uint32_t plane, unsigned count,
+                        const std::array<TilePlace, 4>& tiles, std::size_t texture) {
+  const TagCache& cache = caches_[tmu];
+  unsigned misses = 0, older = 0;
+  for (unsigned n = 0; n < count; ++n) {
+    const LookUp at{map_.row(tiles[n], plane), tiles[n].line + plane};
+    if (cache.used_last(at.row, at.line)) continue;  // and stays it
+    if (cache.holds(at.row, at.line)) {
+      older_[tmu][older++] = at;
+    } else {
+      misses_[tmu][misses++] = at;
+    }
+  }
+  older_count_[tmu] = older;
+  miss_count_[tmu] = misses;
+  counters_.hits[draw_of(beat)][texture] += count - misses;
+  counters_.misses[draw_of(beat)][texture] += misses;
+}
+
+bool Tags::elsewhere(std::size_t tmu, const LookUp& at) const {
+  for (std::size_t other = 0; other < caches_.size(); ++other) {
+    if (other != tmu && caches_[other].holds(at.row, at.line)) return true;
+  }
+  return false;
+}
+
+/// All look-ups of a beat on the state that the beat before left, then all changes.
+void Tags::look_up(UnitBeat& beat) {
+  const BeatPlan& plan = *beat.plan;
+  std::array<std::array<TilePlace, 4>, 2> tiles;
+  std::array<unsigned, 2> tile_count{};
+  for (unsigned n = 0; n < beat.draw->texture_count; ++n) {
+    const TexturePlan& texture = beat.draw->texture[n];
+    const auto t = static_cast<std::size_t>(texture.texture);
+    if (plan.words_of[t] != 0) tile_count[t] = list_tiles(beat, texture, tiles[t]);
+  }
+  unsigned ranks = 0;
+  for (std::size_t tmu = 0; tmu < plan.words; ++tmu) {
+    const WordPlan& word = plan.word[tmu];
+    look_up_word(beat, tmu, word.plane, tile_count[word.texture], tiles[word.texture],
+                 word.texture);
+    ranks = std::max(ranks, miss_count_[tmu]);
+  }
+  if (ranks != 0) {
+    missed_ = true;
+    for (std::size_t tmu = 0; tmu < plan.words; ++tmu) {
+      for (unsigned r = 0; r < miss_count_[tmu]; ++r) {
+        if (elsewhere(tmu, misses_[tmu][r])) ++counters_.duplicates;
+      }
+    }
+  }
+  for (std::size_t tmu = 0; tmu < plan.words; ++tmu) {
+    for (unsigned n = 0; n < older_count_[tmu]; ++n) {
+      caches_[tmu].use(older_[tmu][n].row, older_[tmu][n].line);
+    }
+    for (unsigned r = 0; r < miss_count_[tmu]; ++r) {
+      caches_[tmu].use(misses_[tmu][r].row, misses_[tmu][r].line);
+    }
+  }
+  beat.ranks = ranks;
+}
+
+/// Returns the cycle in which the last rank, and with it the beat, leaves T.
+Cycle Tags::push_ranks(UnitBeat& beat, Cycle enter, Cycle place) {
+  Cycle next = enter + 1;
+  for (unsigned rank = 0; rank < beat.ranks; ++rank) {
+    unsigned lines = 0;
+    for (std::size_t tmu = 0; tmu < beat.plan->words; ++tmu) lines += miss_count_[tmu] > rank;
+    const Cycle available = ring_.available(lines);
+    // K can be empty while slots are lacking in one cycle only: the one in which the beat that
+    // owns them moves from the FIFO to K, the cycle after it left T. All older ones have left K.
+    if (rank == 0 && commit_empty_ && next == left_ + 1 && available > next) {
+      ++counters_.ring_full;
+    }
+    next = std::max(next, available);
+    if (rank + 1 == beat.ranks) next = std::max(next, place);
+    Cycle usable = 0;
+    for (std::size_t tmu = 0; tmu < beat.plan->words; ++tmu) {
+      if (miss_count_[tmu] <= rank) continue;
+      usable = std::max(usable, ring_.push(misses_[tmu][rank].line, next, beat));
+    }
+    beat.usable[rank] = usable;
+    ++next;
+  }
+  return next - 1;
+}
+
+}  // namespace ptm::pipeline

@@ -1,0 +1,127 @@
+#include "model/pipeline/unit/texture_unit.h"
+
+#include <string>
+
+namespace ptm::pipeline {
+
+using reference::UnitCounter;
+
+TextureUnit::TextureUnit(const sc_core::sc_module_name& name, const reference::UnitConfig& unit,
+                         const std::vector<reference::Draw>& draws, const StreamTiming& timing,
+                         const std::optional<MemoryFault>& fault, const sc_core::sc_time& clock)
+    : sc_module(name),
+      memory("memory", clock, fault),
+      timing_(timing),
+      sink_("sink", timing),
+      combine_("combine", sink_),
+      evaluator_("evaluator", combine_),
+      filter_("filter", evaluator_),
+      palette_("palette", filter_),
+      fetch_("fetch", palette_),
+      commit_("commit", fetch_),
+      ring_("miss_ring", memory, unit.miss_fifo),
+      tags_("tags", unit, ring_, commit_),
+      address_("address", plan_draws(draws, unit), tags_) {}
+
+void TextureUnit::reset(bool keep_cache) {
+  memory.reset();
+  sink_.taken.clear();
+  combine_.reset();
+  evaluator_.reset();
+  filter_.reset();
+  palette_.reset();
+  fetch_.reset();
+  commit_.reset();
+  ring_.reset();
+  tags_.reset(keep_cache);
+  address_.reset();
+}
+
+TextureUnit::Frame TextureUnit::run(const UnitFrame& frame, Cycle patience) {
+  reset(frame.keep_cache);
+  sink_.taken.reserve(frame.fragments.size());
+  Cycle first = 0, last = 0, next = 0;
+  std::uint64_t accepted = 0;
+  for (const reference::UnitFragment& fragment : frame.fragments) {
+    const Cycle taken = address_.accept(fragment, next + gap(timing_, accepted));
+    if (taken >= kStuck) break;
+    if (accepted++ == 0) first = taken;
+    last = taken;
+    next = taken + 1;
+  }
+  Frame out;
+  out.result.taken = std::exchange(sink_.taken, {});
+  out.result.answered = std::exchange(memory.answered, {});
+  if (memory.waiting()) report_fault(out, last, patience);
+  report_counters(out, accepted, first);
+  return out;
+}
+
+void TextureUnit::report_fault(Frame& frame, Cycle last_accepted, Cycle patience) {
+  const MemoryPort::Waiting& waiting = *memory.waiting();
+  std::vector<Cycle>& taken = frame.result.taken;
+  std::erase_if(taken, [](Cycle cycle) { return cycle >= kStuck; });
+  const bool silent = waiting.kind == MemoryFault::Kind::never;
+  Cycle cycle = waiting.answered;
+  if (silent) {
+    cycle = std::max({last_accepted, memory.last_transfer(), taken.empty() ? 0 : taken.back()}) +
+            patience;
+  } else {
+    std::erase_if(taken, [&](Cycle c) { return c > cycle; });
+  }
+  const std::string request = "request " + std::to_string(waiting.index) + " (line " +
+                              std::to_string(waiting.line) + ", tag " +
+                              std::to_string(waiting.slot) + ")";
+  const std::string who = "; the fragment at (" + std::to_string(waiting.x) + ", " +
+                          std::to_string(waiting.y) + ") waits for it";
+  frame.result.fault =
+      UnitFault{"cycle " + std::to_string(cycle) + ": the memory " +
+                    (silent ? "has not answered " + request + " for " + std::to_string(patience) +
+                                  " cycles without a transfer"
+                            : "answered " + request + " with a tag that is not outstanding") +
+                    who,
+                cycle};
+  frame.end = cycle + 1;
+}
+
+void TextureUnit::report_counters(Frame& frame, std::uint64_t accepted, Cycle first) {
+  reference::UnitCounters& c = frame.result.counters;
+  const std::vector<Cycle>& taken = frame.result.taken;
+  if (!taken.empty()) {
+    frame.end = std::max(frame.end, taken.back() + 1);
+    c[UnitCounter::cycles] = taken.back() + 1 - first;
+  }
+  c[UnitCounter::fragments] = accepted;
+  c[UnitCounter::pixels] = taken.size();
+  c[UnitCounter::cycles_moved] = c[UnitCounter::beats] = commit_.beats();
+  c[UnitCounter::cycles_output_blocked] = commit_.output_blocked();
+  c[UnitCounter::cycles_line_wait] = commit_.line_wait();
+  c[UnitCounter::cycles_ring_full] = tags_.counters().ring_full;
+  c[UnitCounter::cycles_input_empty] = c[UnitCounter::cycles] - c[UnitCounter::cycles_moved] -
+                                       c[UnitCounter::cycles_output_blocked] -
+                                       c[UnitCounter::cycles_line_wait] -
+                                       c[UnitCounter::cycles_ring_full];
+  c[UnitCounter::bank_conflicts] = address_.counters().conflicts;
+  c[UnitCounter::words] = address_.counters().words;
+  c[UnitCounter::taps] = address_.counters().taps;
+  c[UnitCounter::multiplies_address] = address_.counters().multiplies_address;
+  c[UnitCounter::multiplies_filter] = address_.counters().multiplies_filter;
+  c[UnitCounter::lines_read] = ring_.requests();
+  c[UnitCounter::duplicate_lines] = tags_.counters().duplicates;
+  c[UnitCounter::palette_lookups] = palette_.lookups();
+  for (std::size_t d = 0; d < address_.draws().size(); ++d) {
+    const DrawPlan& draw = address_.draws()[d];
+    c[UnitCounter::multiplies_eval] += address_.fragments()[d] * draw.eval_multiplies;
+    c[UnitCounter::multiplies_combine] += address_.fragments()[d] * draw.combine_multiplies;
+    for (std::size_t t = 0; t < 2; ++t) {
+      const std::uint64_t hits = tags_.counters().hits[d][t],
+                          misses = tags_.counters().misses[d][t];
+      c.hits(static_cast<int>(d), static_cast<int>(t)) = hits;
+      c.misses(static_cast<int>(d), static_cast<int>(t)) = misses;
+      c[UnitCounter::tag_hits] += hits;
+      c[UnitCounter::tag_misses] += misses;
+    }
+  }
+}
+
+}  // namespace ptm::pipeline

@@ -1,0 +1,46 @@
+#pragma once
+#include "model/pipeline/unit/address.h"
+
+namespace ptm::pipeline {
+
+/// The whole texture unit in time: one module a block, none with a process of its own. Each call
+/// advances the blocks by one fragment; their state is maxima over earlier cycles.
+///
+/// Source    docs/spec/unit-timing.md
+/// Values    ptm::reference::shade; this class owns time and counters
+/// Twin      rtl/ptm_unit.sv, equal in every pixel's cycle and every counter
+class TextureUnit final : public sc_core::sc_module {
+ public:
+  /// Requires a valid configuration (reference::validate) and legal draws.
+  TextureUnit(const sc_core::sc_module_name& name, const reference::UnitConfig& unit,
+              const std::vector<reference::Draw>& draws, const StreamTiming& timing,
+              const std::optional<MemoryFault>& fault, const sc_core::sc_time& clock);
+
+  MemoryPort memory;
+
+  /// One frame, from now on in simulation time. The caller lets time catch up: `end` of the result.
+  struct Frame {
+    UnitFrameResult result;
+    Cycle end = 0;  ///< the cycle after the last that anything happened in
+  };
+  [[nodiscard]] Frame run(const UnitFrame& frame, Cycle patience);
+
+ private:
+  void reset(bool keep_cache);
+  void report_counters(Frame& frame, std::uint64_t accepted, Cycle first);
+  void report_fault(Frame& frame, Cycle last_accepted, Cycle patience);
+
+  StreamTiming timing_;
+  UnitSink sink_;
+  Combine combine_;
+  UnitEvaluator evaluator_;
+  Filter filter_;
+  Palette palette_;
+  Fetch fetch_;
+  Commit commit_;
+  MissRing ring_;
+  Tags tags_;
+  Address address_;
+};
+
+}  // namespace ptm::pipeline
