@@ -1,0 +1,96 @@
+// One tag bank of one TMU's cache: Sets sets of Ways ways, least recently used replaced first.
+//
+// A look-up is combinational. With update_i it is a use: a hit touches its way at the end of the
+// cycle, a miss allocates (an invalid way first, the lowest, else the one used longest ago).
+// Invalidation clears all in a cycle. The snoop ports tell whether a line that another TMU misses
+// stands here, for the counter `duplicate_lines`. docs/spec/unit-timing.md, Tags.
+module ptm_unit_tag_bank #(
+  parameter int Sets   = 32,
+  parameter int Ways   = 2,   // 1, 2, 4
+  parameter int Snoops = 2,   // 1 or more
+  localparam int SetBits  = ptm_unit_front_pkg::SetBits,
+  localparam int LineBits = ptm_unit_pkg::LineBits
+) (
+  input  logic                            clk_i,
+  input  logic                            rst_ni,
+  input  logic                            invalidate_i,
+  input  logic                            update_i,
+  input  logic [SetBits-1:0]              set_i,
+  input  logic [LineBits-1:0]             line_i,
+  output logic                            hit_o,
+  output logic [1:0]                      way_o,  // of the hit, or the one to be allocated
+  input  logic [Snoops-1:0]               snoop_i,
+  input  logic [Snoops*SetBits-1:0]       snoop_set_i,
+  input  logic [Snoops*LineBits-1:0]      snoop_line_i,
+  output logic [Snoops-1:0]               snoop_held_o
+);
+  localparam int Lines    = Sets * Ways;
+  localparam int PlaceBits = Lines == 1 ? 1 : $clog2(Lines);
+
+  logic [Lines-1:0]    valid_q;          // {set, way}
+  logic [LineBits-1:0] tag_q [Lines];
+  // Bit {i, j} of a set: way i was used longer ago than way j. Right for every pair of which one
+  // was used, so it needs no reset: it is asked only where all ways are valid.
+  logic [Ways*Ways-1:0] older_q [Sets];
+
+  function automatic logic [PlaceBits-1:0] place(input logic [SetBits-1:0] of_set,
+                                                 input logic [1:0] of_way);
+    place = PlaceBits'(32'(of_set) * Ways + 32'(of_way));
+  endfunction
+
+  localparam int SetIndexBits = Sets == 1 ? 1 : $clog2(Sets);
+  logic [SetIndexBits-1:0] set;
+  assign set = set_i[SetIndexBits-1:0];
+  logic [Ways*Ways-1:0] older;
+  assign older = older_q[set];
+
+  logic [Ways-1:0] match, valid, oldest;
+  for (genvar w = 0; w < Ways; w++) begin : gen_way
+    assign valid[w] = valid_q[place(set_i, 2'(w))];
+    assign match[w] = valid[w] && tag_q[place(set_i, 2'(w))] == line_i;
+    assign oldest[w] = (older[w*Ways +: Ways] | Ways'(1 << w)) == '1;
+  end
+  assign hit_o = match != '0;
+  always_comb begin
+    way_o = 2'd0;
+    for (int w = Ways - 1; w >= 0; w--) begin
+      if (hit_o ? match[w] : valid == '1 ? oldest[w] : !valid[w]) way_o = 2'(w);
+    end
+  end
+
+  logic [Ways*Ways-1:0] older_after;
+  always_comb begin
+    older_after = older;
+    for (int w = 0; w < Ways; w++) begin
+      for (int other = 0; other < Ways; other++) begin
+        if (2'(w) == way_o) older_after[w*Ways + other] = 1'b0;
+        else if (2'(other) == way_o) older_after[w*Ways + other] = 1'b1;
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (update_i) begin
+      older_q[set] <= older_after;
+      if (!hit_o) tag_q[place(set_i, way_o)] <= line_i;
+    end
+  end
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) valid_q <= '0;
+    else if (invalidate_i) valid_q <= '0;
+    else if (update_i && !hit_o) valid_q[place(set_i, way_o)] <= 1'b1;
+  end
+
+  always_comb begin
+    snoop_held_o = '0;
+    for (int s = 0; s < Snoops; s++) begin
+      if (snoop_i[s]) begin
+        for (int w = 0; w < Ways; w++) begin
+          if (valid_q[place(snoop_set_i[s*SetBits +: SetBits], 2'(w))] &&
+              tag_q[place(snoop_set_i[s*SetBits +: SetBits], 2'(w))] == snoop_line_i[s*LineBits +: LineBits]) begin
+            snoop_held_o[s] = 1'b1;
+          end
+        end
+      end
+    end
+  end
+endmodule

@@ -1,0 +1,71 @@
+// U4 behind its products, U5 and U6, one texture in one footprint: its texels, the lines of their
+// tiles, and whether the banks can serve both columns and both rows at once.
+//
+//   line(tx, ty) = base + (ty * tiles_across + tx) * planes        docs/spec/unit.md, Lines
+//   collides     = i0 != i1 and (i0, i1 have the same parity, or their tiles differ and have it)
+//                                                                  docs/spec/unit-timing.md, A3
+// Two multiplies, one a row of tiles; times 1, 3 or 6 planes is additions.
+// Twin: ptm::reference::place_of() in model/reference/unit/beats.h. Combinational.
+module ptm_unit_tiles #(
+  localparam int LineBits = ptm_unit_pkg::LineBits
+) (
+  input  logic                        bilinear_i,
+  input  logic                        repeat_u_i,
+  input  logic                        repeat_v_i,
+  input  logic [31:0]                 product_u_i,  // fu * W_l
+  input  logic [31:0]                 product_v_i,
+  input  ptm_unit_front_pkg::level_t  level_i,
+  input  logic [2:0]                  planes_i,     // 1, 3, 6
+  output logic [7:0]                  wu_o,
+  output logic [7:0]                  wv_o,
+  output ptm_unit_front_pkg::texels_t texels_o
+);
+  logic [11:0] i0, i1, j0, j1;
+  ptm_unit_scale u_scale_u (
+    .bilinear_i(bilinear_i), .repeat_i(repeat_u_i), .product_i(product_u_i),
+    .side_i(level_i.width), .i0_o(i0), .i1_o(i1), .weight_o(wu_o)
+  );
+  ptm_unit_scale u_scale_v (
+    .bilinear_i(bilinear_i), .repeat_i(repeat_v_i), .product_i(product_v_i),
+    .side_i(level_i.height), .i0_o(j0), .i1_o(j1), .weight_o(wv_o)
+  );
+
+  // ceil(width / 4) <= 1024
+  logic [12:0] rounded_up;
+  assign rounded_up = level_i.width + 13'd3;
+
+  // Tiles before the row of tiles: below 2^20
+  logic [20:0] before0, before1;
+  assign before0 = 21'(j0[11:2]) * 21'(rounded_up[12:2]);
+  assign before1 = 21'(j1[11:2]) * 21'(rounded_up[12:2]);
+
+  logic [4*LineBits-1:0] line;
+  for (genvar t = 0; t < 4; t++) begin : gen_tap
+    logic [9:0]          tx;
+    logic [20:0]         place;
+    logic [LineBits-1:0] tile, tripled;
+    assign tx      = t % 2 == 1 ? i1[11:2] : i0[11:2];
+    assign place   = (t >= 2 ? before1 : before0) + 21'(tx);
+    assign tile    = LineBits'(place);
+    assign tripled = tile + (tile << 1);
+    assign line[t*LineBits +: LineBits] =
+        level_i.base + (planes_i == 3'd1 ? tile : planes_i == 3'd3 ? tripled : tripled << 1);
+  end
+
+  always_comb begin
+    texels_o            = '0;
+    texels_o.columns    = wu_o != 8'd0;
+    texels_o.rows       = wv_o != 8'd0;
+    texels_o.i          = {i1, i0};
+    texels_o.j          = {j1, j0};
+    texels_o.line       = line;
+    texels_o.level      = level_i.level;
+    texels_o.collides_u = wu_o != 8'd0 && i0 != i1 &&
+                          (i0[0] == i1[0] || (i0[11:2] != i1[11:2] && i0[2] == i1[2]));
+    texels_o.collides_v = wv_o != 8'd0 && j0 != j1 &&
+                          (j0[0] == j1[0] || (j0[11:2] != j1[11:2] && j0[2] == j1[2]));
+  end
+
+  logic unused_rounding;
+  assign unused_rounding = ^rounded_up[1:0];
+endmodule
