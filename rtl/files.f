@@ -13,6 +13,7 @@ rtl/ptm_color_products.sv
 rtl/ptm_divide_255.sv
 rtl/ptm_color_scale.sv
 rtl/ptm_lerp.sv
+rtl/ptm_stream_reg.sv
 rtl/ptm_stream_chain.sv
 rtl/ptm_stream_fifo2.sv
 rtl/ptm_rgb_assemble.sv
