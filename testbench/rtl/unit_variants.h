@@ -14,7 +14,7 @@ namespace ptm::testbench {
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base1();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_paper8();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_wide();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_stress();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small();
 
 struct RtlUnitVariant {
   const char* name;
@@ -23,11 +23,8 @@ struct RtlUnitVariant {
   std::unique_ptr<RtlUnit> (*make)();
 };
 
-/// What ptmsim links.
-[[nodiscard]] std::span<const RtlUnitVariant> rtl_unit_presets();
-
-/// For tests only: everything small, so that all that can be full is full, with the RTL's
-/// assertions built in. Needs the library ptm_rtl_unit_stress.
-[[nodiscard]] const RtlUnitVariant& rtl_unit_stress();
+/// What ptmsim links. `small` is everything small, so that all that can be full is full, with the
+/// RTL's assertions built in.
+[[nodiscard]] std::span<const RtlUnitVariant> rtl_unit_variants();
 
 }  // namespace ptm::testbench

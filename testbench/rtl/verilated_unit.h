@@ -80,9 +80,9 @@ class RtlUnit {
   [[nodiscard]] virtual std::uint32_t probe(std::uint8_t number) = 0;
 };
 
-/// The variant of that preset and of those parameters. Throws std::invalid_argument that lists what
-/// is built if none is.
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit(std::string_view preset,
+/// The variant of those parameters. Throws std::invalid_argument that lists what is built if none
+/// is.
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit(const reference::EvalConfig& config,
                                                      const reference::UnitConfig& unit);
 
 }  // namespace ptm::testbench

@@ -1,0 +1,56 @@
+#include "testbench/rtl/unit_variants.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace ptm::testbench {
+namespace {
+
+/// Everything small, so that all that can be full is full.
+constexpr reference::EvalConfig kSmallGroups{.shift_groups = 3};
+constexpr reference::UnitConfig kSmallUnit{.tmus = 3,
+                                           .cache_kib = 1,
+                                           .ways = 1,
+                                           .fragment_fifo = 8,
+                                           .miss_fifo = 12,
+                                           .palette_lrgb_ports = 2,
+                                           .palette_rgb_ports = 2};
+
+using reference::kBase;
+using reference::kPaper8;
+using reference::kWide;
+
+const std::array<RtlUnitVariant, 6> kUnits{
+    {{"base3", kBase, {}, make_rtl_unit_base3},
+     {"base2", kBase, {.tmus = 2}, make_rtl_unit_base2},
+     {"base1", kBase, {.tmus = 1}, make_rtl_unit_base1},
+     {"paper8", kPaper8, {}, make_rtl_unit_paper8},
+     {"wide", kWide, {}, make_rtl_unit_wide},
+     {"small", kSmallGroups, kSmallUnit, make_rtl_unit_small}}};
+
+std::string describe(const RtlUnitVariant& variant) {
+  const reference::UnitConfig& unit = variant.unit;
+  return std::string(variant.name) + " (tmus " + std::to_string(unit.tmus) + ", cache_kib " +
+         std::to_string(unit.cache_kib) + ", ways " + std::to_string(unit.ways) +
+         ", fragment_fifo " + std::to_string(unit.fragment_fifo) + ", miss_fifo " +
+         std::to_string(unit.miss_fifo) + ", shift_groups " +
+         std::to_string(variant.config.shift_groups) + ", palette ports " +
+         std::to_string(unit.palette_lrgb_ports) + " and " +
+         std::to_string(unit.palette_rgb_ports) + ")";
+}
+
+}  // namespace
+
+std::span<const RtlUnitVariant> rtl_unit_variants() { return kUnits; }
+
+std::unique_ptr<RtlUnit> make_rtl_unit(const reference::EvalConfig& config,
+                                       const reference::UnitConfig& unit) {
+  std::string built;
+  for (const RtlUnitVariant& variant : kUnits) {
+    if (variant.config == config && variant.unit == unit) return variant.make();
+    built += (built.empty() ? "" : "; ") + describe(variant);
+  }
+  throw std::invalid_argument("no RTL unit is built with these parameters; there is: " + built);
+}
+
+}  // namespace ptm::testbench
