@@ -57,6 +57,7 @@ class UnitRegisters : public testing::Test {
   /// The descriptor that the RTL hands to its other blocks.
   Draw seen(unsigned number) {
     auto& dut = bench_.dut;
+    dut.view_i = 1;
     dut.draw_i = static_cast<CData>(number);
     dut.eval();
     Draw d;
