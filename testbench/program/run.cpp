@@ -10,6 +10,7 @@
 #include "testbench/report/html_text.h"
 #include "testbench/report/report.h"
 #include "testbench/run/run_scene.h"
+#include "testbench/run/run_unit_scene.h"
 
 namespace ptm::testbench {
 namespace {
@@ -40,18 +41,28 @@ void print_summary(const RunResult& result, const RunComparison& comparison) {
   }
 }
 
-void run(const RunOptions& options) {
+SceneRun run_flat(const RunOptions& options) {
   golden::Scene scene = golden::read_scene(options.scene);
   if (!options.models.empty()) scene.models = options.models;
   if (!options.preset.empty()) {
     scene.preset = options.preset;
     scene.preset_place = "--preset";
   }
-  const SceneRun run = run_scene(scene);
-  const RunComparison comparison = compare_run(run.result);
-  const ReportPaths report = write_report(run.result, comparison, options.out);
-  print_summary(run.result, comparison);
-  std::cout << "report: " << report.html.string() << '\n';
+  return run_scene(scene);
+}
+
+SceneRun run_unit(const RunOptions& options) {
+  golden::UnitScene scene = golden::read_unit_scene(options.scene);
+  if (!options.models.empty()) scene.models = options.models;
+  if (!options.preset.empty()) {
+    scene.hardware.preset = options.preset;
+    scene.hardware.preset_place = "--preset";
+  }
+  return run_unit_scene(scene);
+}
+
+void refuse_disagreement(const SceneRun& run, const RunComparison& comparison) {
+  if (!run.faults.empty()) throw ExitError(ExitCode::disagree, run.faults.front());
   if (!comparison.models_agree()) {
     throw ExitError(ExitCode::disagree, "models that must agree differ; the report says where");
   }
@@ -59,6 +70,19 @@ void run(const RunOptions& options) {
     throw ExitError(ExitCode::disagree, "pipeline and rtl differ in the cycle of " +
                                             std::to_string(*run.late_pixels) + " pixels");
   }
+  if (run.result.unit && !run.result.unit->differing_counters.empty()) {
+    throw ExitError(ExitCode::disagree, "pipeline and rtl differ in the counter " +
+                                            run.result.unit->differing_counters.front());
+  }
+}
+
+void run(const RunOptions& options) {
+  const SceneRun run = golden::is_unit_scene(options.scene) ? run_unit(options) : run_flat(options);
+  const RunComparison comparison = compare_run(run.result);
+  const ReportPaths report = write_report(run.result, comparison, options.out);
+  print_summary(run.result, comparison);
+  std::cout << "report: " << report.html.string() << '\n';
+  refuse_disagreement(run, comparison);
 }
 
 }  // namespace

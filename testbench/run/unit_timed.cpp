@@ -52,7 +52,6 @@ UnitFrameResult get(ResultFile& file) {
 void run_model(const UnitJob& job, const std::string& model,
                const pipeline::UnitSimulation& simulation) {
   if (model == "pipeline") return pipeline::simulate_texture_unit(simulation);
-  if (model == "loose") return pipeline::estimate_texture_unit(simulation);
   if (model == "rtl") return simulate_unit_rtl(job, simulation);
   throw std::invalid_argument("no timed model '" + model + "'");
 }

@@ -1,7 +1,7 @@
 // The unit's registers and its back, with what the front does in between left to the caller: D's
 // contents are pins. Pins have the same C++ types for every variant. No design logic.
 //
-// draw_i chooses the draw whose descriptor the draw_* pins show.
+// draw_i chooses the draw whose descriptor the draw_* pins show while view_i is high.
 module ptm_unit_back_tb #(
   parameter int CoefBits         = 8,
   parameter int DeltaBits        = 9,
@@ -34,6 +34,7 @@ module ptm_unit_back_tb #(
   input  logic        mem_error_i,
   input  logic [7:0]  mem_error_tag_i,
   input  logic [63:0] counters_i [ptm_unit_pkg::Counters],
+  input  logic        view_i,
   input  logic [1:0]  draw_i,
   output logic [2:0]  draw_format_o,
   output logic        draw_bilinear_o,
@@ -110,30 +111,42 @@ module ptm_unit_back_tb #(
 
   ptm_unit_pkg::draw_t draw;
   always_comb begin
-    draw = draws[draw_i*DrawW +: DrawW];
-    draw_format_o    = draw.format;
-    draw_bilinear_o  = draw.bilinear;
-    draw_mip_o       = draw.mip;
-    draw_wrap_u_o    = draw.wrap_u;
-    draw_wrap_v_o    = draw.wrap_v;
-    draw_combine_o   = draw.combine;
-    draw_color_o     = draw.color;
-    draw_color_lod_o = 32'(draw.color_lod);
-    draw_width_o     = '{16'(draw.ptm.width), 16'(draw.color_texture.width)};
-    draw_height_o    = '{16'(draw.ptm.height), 16'(draw.color_texture.height)};
-    draw_levels_o    = '{draw.ptm.levels, draw.color_texture.levels};
-    for (int l = 0; l < ptm_unit_pkg::LevelsMax; l++) begin
-      draw_base_o[l]                           = 32'(draw.ptm.base[l]);
-      draw_base_o[ptm_unit_pkg::LevelsMax + l] = 32'(draw.color_texture.base[l]);
+    draw = '0;
+    {draw_format_o, draw_bilinear_o, draw_mip_o, draw_wrap_u_o, draw_wrap_v_o} = '0;
+    {draw_combine_o, draw_color_o, draw_color_lod_o, draw_palette_o}           = '0;
+    {draw_ka_o, draw_kd_o, draw_ks_o}                                          = '0;
+    draw_width_o  = '{default: '0};
+    draw_height_o = '{default: '0};
+    draw_levels_o = '{default: '0};
+    draw_base_o   = '{default: '0};
+    draw_bias_o   = '{default: '0};
+    draw_shift_o  = '{default: '0};
+    if (view_i) begin
+      draw = draws[draw_i*DrawW +: DrawW];
+      draw_format_o    = draw.format;
+      draw_bilinear_o  = draw.bilinear;
+      draw_mip_o       = draw.mip;
+      draw_wrap_u_o    = draw.wrap_u;
+      draw_wrap_v_o    = draw.wrap_v;
+      draw_combine_o   = draw.combine;
+      draw_color_o     = draw.color;
+      draw_color_lod_o = 32'(draw.color_lod);
+      draw_width_o     = '{16'(draw.ptm.width), 16'(draw.color_texture.width)};
+      draw_height_o    = '{16'(draw.ptm.height), 16'(draw.color_texture.height)};
+      draw_levels_o    = '{draw.ptm.levels, draw.color_texture.levels};
+      for (int l = 0; l < ptm_unit_pkg::LevelsMax; l++) begin
+        draw_base_o[l]                           = 32'(draw.ptm.base[l]);
+        draw_base_o[ptm_unit_pkg::LevelsMax + l] = 32'(draw.color_texture.base[l]);
+      end
+      for (int i = 0; i < 6; i++) begin
+        draw_bias_o[i]  = 16'(draw.bias[i]);
+        draw_shift_o[i] = 32'(signed'(draw.shift[i]));
+      end
+      draw_palette_o = draw.palette;
+      draw_ka_o      = 16'(draw.ka);
+      draw_kd_o      = 16'(draw.kd);
+      draw_ks_o      = 16'(draw.ks);
     end
-    for (int i = 0; i < 6; i++) begin
-      draw_bias_o[i]  = 16'(draw.bias[i]);
-      draw_shift_o[i] = 32'(signed'(draw.shift[i]));
-    end
-    draw_palette_o = draw.palette;
-    draw_ka_o      = 16'(draw.ka);
-    draw_kd_o      = 16'(draw.kd);
-    draw_ks_o      = 16'(draw.ks);
   end
 
   ptm_unit_pkg::beat_t beat;
