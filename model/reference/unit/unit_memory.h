@@ -13,6 +13,8 @@ namespace ptm::reference {
 inline constexpr std::size_t kLineWords = 16;
 using Line = std::array<std::uint32_t, kLineWords>;  ///< a 4 x 4 tile of words, row by row
 
+inline constexpr std::size_t kLrgbEntries = 256, kRgbEntries = 4096;
+
 /// Tables of words packed as a map's planes are: docs/spec/unit.md, "Palettes".
 struct Palettes {
   std::vector<std::array<std::uint32_t, 2>> lrgb;  ///< entry 256 palette + index; at most 1024
@@ -40,26 +42,39 @@ struct StoredPaletteMap {
   std::vector<std::uint8_t> color;   ///< [height][width][3], lrgb only
 };
 
-/// Append a texture's levels (level 0 first, each max(1, W >> l)) to the memory; return how the
-/// unit addresses them. Throws std::invalid_argument for sizes that do not agree, more than 4,096
-/// texels a side, or coef_bits above 10.
+/// Append a texture's levels (level 0 first, each max(1, W >> l)) to the memory, level after level,
+/// texels beyond an edge 0; return how the unit addresses them. A map's colours get alpha 255.
+/// Throw std::invalid_argument, naming what was found and expected and leaving the memory as it
+/// was, for sizes that do not agree, more than 4,096 texels a side or 2^26 lines in all, a
+/// coefficient or index that its field does not hold, or coef_bits above 10.
 TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
                          std::vector<Line>& memory);
 TextureLevels append_palette_map(std::span<const StoredPaletteMap> levels,
                                  std::vector<Line>& memory);
 TextureLevels append_picture(std::span<const StoredPicture> levels, std::vector<Line>& memory);
 
-/// Polynomials as palette entries: [entry][6] (lrgb) or [entry][18] (rgb) stored coefficients.
+/// Polynomials as palette entries: [entry][6] (lrgb, at most 256 into palette 0..3) or [entry][18]
+/// (rgb, at most 4,096) stored coefficients, red first; entries beyond them are 0. Throw
+/// std::invalid_argument as above.
 void append_lrgb_palette(const EvalConfig& config, std::span<const std::uint16_t> coef, int palette,
                          Palettes& palettes);
 void set_rgb_palette(const EvalConfig& config, std::span<const std::uint16_t> coef,
                      Palettes& palettes);
 
+/// Bits of a coefficient in its word: F of docs/spec/unit.md.
+[[nodiscard]] constexpr int field_bits(const EvalConfig& config) {
+  return config.coef_bits > 8 ? config.coef_bits : 8;
+}
+
 struct RegisterWrite {
   std::uint16_t address = 0;
   std::uint32_t data = 0;
+  bool operator==(const RegisterWrite&) const = default;
 };
-/// The writes that bring a unit's registers to the state; a draw's control comes last.
+/// The writes that bring a unit's registers to the state: the memory's size (an illegal draw is
+/// told by it), palettes, then each draw, its control last. Caches and counters are not touched.
+/// Throw std::invalid_argument for a value that its register's field does not hold; an illegal draw
+/// that fits is written as it is.
 [[nodiscard]] std::vector<RegisterWrite> register_writes(const UnitState& state);
 [[nodiscard]] std::vector<RegisterWrite> register_writes(const Draw& draw, int number);
 

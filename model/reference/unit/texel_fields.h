@@ -1,0 +1,40 @@
+#pragma once
+#include "model/reference/unit/unit_memory.h"
+
+/// Which fields of a filtered fragment a word holds: docs/spec/unit.md, "Words" and "Steps".
+namespace ptm::reference {
+
+inline constexpr unsigned kFields = 26;
+/// A filtered fragment: 0..17 coefficients, 18..20 the map's R G B, 21 its A, 22..25 the colour
+/// texture's R G B A.
+using Fields = std::array<Value, kFields>;
+inline constexpr unsigned kMapColorField = 18, kMapAlphaField = 21, kColorField = 22;
+
+enum class WordKind : std::uint8_t { coefficients, color, palette_lrgb, palette_rgb };
+
+/// A word of a draw.
+struct WordUse {
+  WordKind kind = WordKind::coefficients;
+  int texture = 0;     ///< 0 map, 1 colour
+  int plane = 0;       ///< within its texture
+  unsigned field = 0;  ///< of coefficients and colour: the first
+
+  /// How many fields come of it.
+  [[nodiscard]] constexpr unsigned fields() const {
+    constexpr std::array<unsigned, 4> count{3, 4, 9, 18};
+    return count[static_cast<std::size_t>(kind)];
+  }
+};
+
+/// Word 0 .. draw_words - 1: the map's planes in order, then the colour texture.
+[[nodiscard]] constexpr WordUse word_use(const Draw& draw, int word) {
+  const int planes = map_planes(draw.format);
+  if (word == planes) return {WordKind::color, 1, 0, kColorField};
+  if (draw.format == TextureFormat::palette_lrgb) return {WordKind::palette_lrgb, 0, 0, 0};
+  if (draw.format == TextureFormat::palette_rgb) return {WordKind::palette_rgb, 0, 0, 0};
+  const bool color = draw.format == TextureFormat::lrgb && word == 2;
+  if (color) return {WordKind::color, 0, word, kMapColorField};
+  return {WordKind::coefficients, 0, word, 3 * static_cast<unsigned>(word)};
+}
+
+}  // namespace ptm::reference
