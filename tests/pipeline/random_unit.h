@@ -108,8 +108,9 @@ struct RandomUnit {
     if (draw.format != TextureFormat::none) draw.map = make_texture(map_planes(draw.format));
     if (draw.color) draw.color_texture = make_texture(1);
     // The same lines under two names: what duplicate_lines counts.
-    if (one_in(4) && !draws.empty()) draw.color_texture = draws[0].color_texture;
-    if (one_in(4) && !draws.empty()) draw.map.base = draws[0].map.base;
+    if (one_in(2) && draw.color && !draws.empty() && draws[0].color) {
+      draw.color_texture = draws[0].color_texture;
+    }
     return draw;
   }
 
