@@ -183,6 +183,15 @@ TEST(UnitPage, SaysAtItsHeadWhetherPipelineAndRtlAgreeInTime) {
   EXPECT_FALSE(has(late, agree));
   EXPECT_TRUE(has(late, "<tr class=\"marked\"><th scope=\"row\"><code>cycles_line_wait</code>"));
   EXPECT_FALSE(has(late, "<tr class=\"marked\"><th scope=\"row\"><code>pixels</code>"));
+  for (const bool pixel : {true, false}) {
+    RunResult half = made_unit_run(4, 4, 1);
+    half.unit->late_pixels = pixel ? 1 : 0;
+    if (!pixel) half.unit->differing_counters = {"words"};
+    const std::string page = page_of(half);
+    EXPECT_FALSE(has(page, agree));
+    EXPECT_EQ(has(page, "1 pixel leaves in another cycle."), pixel);
+    EXPECT_EQ(has(page, "1 counter differs: <code>words</code>."), !pixel);
+  }
   RunResult alone = made_unit_run(4, 4, 1);
   alone.unit->timings.pop_back();
   EXPECT_FALSE(has(page_of(alone), "✓ pipeline and rtl agree"));
