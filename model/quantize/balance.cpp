@@ -21,6 +21,14 @@ double room_in_color(std::span<const std::uint8_t> color, double wanted) {
   return std::min(255.0, std::ceil(brightest * wanted)) / brightest;
 }
 
+/// No light within `reach` of the centre has a luminance above this: of l^T Q l + s l + a5 the
+/// largest eigenvalue of Q, where it is positive, and the length of s.
+double highest_luminance(const double* a, double reach) {
+  const double mean = (a[0] + a[1]) / 2;
+  const double curve = mean + std::hypot((a[0] - a[1]) / 2, a[2] / 2);
+  return reach * (reach * std::max(0.0, curve) + std::hypot(a[3], a[4])) + a[5];
+}
+
 }  // namespace
 
 Balance balance_luminance(std::span<double> coef, std::span<std::uint8_t> color,
@@ -36,10 +44,14 @@ Balance balance_luminance(std::span<double> coef, std::span<std::uint8_t> color,
   for (std::size_t i = 0; i < lights.size(); ++i) {
     bases.row(static_cast<Eigen::Index>(i)) = basis(lights[i][0], lights[i][1]).transpose();
   }
+  double reach = 0;
+  for (const auto& [lu, lv] : lights) reach = std::max(reach, std::hypot(lu, lv));
   const double unit = std::ldexp(1.0, -config.lum_frac);
   const double top = std::ldexp(1.0, config.lum_bits) - unit;
   Balance balance;
   for (std::size_t texel = 0; texel * kSix < coef.size(); ++texel) {
+    // Most texels are far below the top, and that is told without trying every light.
+    if (highest_luminance(&coef[texel * kSix], reach) < top * (1 - 1e-9)) continue;
     Polynomial a(&coef[texel * kSix]);
     const double most = (bases * a).maxCoeff();
     if (!(most > top)) continue;

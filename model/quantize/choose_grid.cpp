@@ -27,32 +27,31 @@ int widest_shift(double low, double high, const EvalConfig& config) {
   return config.shift_min - 1;
 }
 
-using Values = std::span<const double>;
+using Part = Population::Part;
 
 struct Choice {
   int shift = 0;
   double error = 0;
 };
 
-double weighted_error(std::span<const Values> sets, std::span<const Population> coefficients,
-                      int shift, const EvalConfig& config, double* saturation = nullptr) {
+double weighted_error(std::span<const Population> coefficients, Part part, int shift,
+                      const EvalConfig& config, double* saturation = nullptr) {
   double error = 0;
-  for (std::size_t c = 0; c < sets.size(); ++c) {
-    const BiasCosts costs = bias_costs(sets[c], shift, config);
-    error += coefficients[c].weight() * costs.least();
+  for (const Population& coefficient : coefficients) {
+    const BiasCosts& costs = coefficient.costs(part, shift, config);
+    error += coefficient.weight() * costs.least();
     if (saturation != nullptr) {
-      *saturation +=
-          coefficients[c].weight() * costs.saturation[static_cast<std::size_t>(costs.best)];
+      *saturation += coefficient.weight() * costs.saturation[static_cast<std::size_t>(costs.best)];
     }
   }
   return error;
 }
 
-Choice search(std::span<const Values> sets, std::span<const Population> coefficients,
-              const EvalConfig& config) {
+Choice search(std::span<const Population> coefficients, Part part, const EvalConfig& config) {
   int start = kShiftMax;
   bool zero = true;
-  for (const Values values : sets) {
+  for (const Population& coefficient : coefficients) {
+    const auto values = part == Part::all ? coefficient.all() : coefficient.typical();
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     start = std::min(start, widest_shift(*low, *high, config));
     zero = zero && *low == 0 && *high == 0;
@@ -61,7 +60,7 @@ Choice search(std::span<const Values> sets, std::span<const Population> coeffici
   Choice best{std::max(start, config.shift_min), INFINITY};
   for (int shift = best.shift; shift <= kShiftMax; ++shift) {
     double saturation = 0;
-    const double error = weighted_error(sets, coefficients, shift, config, &saturation);
+    const double error = weighted_error(coefficients, part, shift, config, &saturation);
     if (error < best.error) best = {shift, error};
     if (saturation > best.error) break;
   }
@@ -97,25 +96,31 @@ std::vector<double> limit_outliers(const std::vector<double>& values) {
 Population::Population(std::vector<double> values, double weight)
     : all_(std::move(values)), typical_(limit_outliers(all_)), weight_(weight) {}
 
-int best_shift(std::span<const Population> coefficients, const EvalConfig& config) {
-  std::vector<Values> all, typical;
-  bool outliers = false;
-  for (const Population& coefficient : coefficients) {
-    all.push_back(coefficient.all());
-    typical.push_back(coefficient.typical());
-    outliers = outliers || coefficient.has_outliers();
+const BiasCosts& Population::costs(Part part, int shift, const EvalConfig& config) const {
+  if (!has_outliers()) part = Part::all;
+  for (const Known& known : known_) {
+    if (known.part == part && known.shift == shift && known.config == config) return known.costs;
   }
-  const Choice by_all = search(all, coefficients, config);
+  const auto values = part == Part::all ? all() : typical();
+  known_.push_back({part, shift, config, bias_costs(values, shift, config)});
+  return known_.back().costs;
+}
+
+int best_shift(std::span<const Population> coefficients, const EvalConfig& config) {
+  const Choice by_all = search(coefficients, Part::all, config);
+  const bool outliers =
+      std::any_of(coefficients.begin(), coefficients.end(),
+                  [](const Population& coefficient) { return coefficient.has_outliers(); });
   if (!outliers) return by_all.shift;
-  const Choice by_typical = search(typical, coefficients, config);
-  const double typical_error = weighted_error(typical, coefficients, by_all.shift, config);
+  const Choice by_typical = search(coefficients, Part::typical, config);
+  const double typical_error = weighted_error(coefficients, Part::typical, by_all.shift, config);
   return typical_error > kWorthSaturating * by_typical.error ? by_typical.shift : by_all.shift;
 }
 
 int best_bias(const Population& coefficient, int shift, const EvalConfig& config) {
-  const BiasCosts all = bias_costs(coefficient.all(), shift, config);
+  const BiasCosts& all = coefficient.costs(Part::all, shift, config);
   if (!coefficient.has_outliers()) return all.best;
-  const BiasCosts typical = bias_costs(coefficient.typical(), shift, config);
+  const BiasCosts& typical = coefficient.costs(Part::typical, shift, config);
   const double typical_error = typical.error[static_cast<std::size_t>(all.best)];
   return typical_error > kWorthSaturating * typical.least() ? typical.best : all.best;
 }

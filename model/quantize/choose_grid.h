@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <list>
 #include <span>
 #include <vector>
 
@@ -23,9 +25,22 @@ class Population {
   [[nodiscard]] bool has_outliers() const { return !typical_.empty(); }
   [[nodiscard]] double weight() const { return weight_; }  ///< of its squared error
 
+  /// bias_costs() of all or of the typical values, kept for the next who asks: searches for shift
+  /// and bias meet the same shifts. Not for several threads at once.
+  enum class Part : std::uint8_t { all, typical };
+  [[nodiscard]] const BiasCosts& costs(Part part, int shift,
+                                       const reference::EvalConfig& config) const;
+
  private:
+  struct Known {
+    Part part;
+    int shift;
+    reference::EvalConfig config;
+    BiasCosts costs;
+  };
   std::vector<double> all_, typical_;
   double weight_;
+  mutable std::list<Known> known_;
 };
 
 /// The shift that stores coefficients sharing one with the least weighted squared error, each with

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "model/quantize/choose_grid.h"
+#include "model/quantize/lanes.h"
 
 namespace ptm::quantize {
 namespace {
@@ -17,62 +17,85 @@ using reference::EvalConfig;
 /// stored - real, limited so that its square stays finite for any finite coefficient.
 double difference(double stored, double real) { return std::clamp(stored - real, -1e100, 1e100); }
 
+/// Polynomials stored together where the grid is given: their lanes stay in the first-level cache.
+constexpr std::size_t kBlock = 256;
+
 /// The six coefficients of all polynomials of a map, stored one after the other from a5 down.
 class Rounder {
  public:
   Rounder(const RealMap& real, const EvalConfig& config, Method method, const Gram& gram)
-      : real_(real),
-        config_(config),
-        factor_(gram_factor(gram)),
-        nearest_plane_(method != Method::plain) {
+      : real_(real), config_(config), nearest_plane_(method != Method::plain) {
     reference::validate(config);
     check_size(real.width, real.height, real.polynomials, real.coef.size());
     check_finite(real.coef);
+    const Gram factor = gram_factor(gram);
+    for (std::size_t i = 0; i < kSix; ++i) {
+      for (std::size_t j = 0; j < kSix; ++j) {
+        factor_[i][j] = factor(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      }
+    }
     stored_ = {.width = real.width, .height = real.height, .polynomials = real.polynomials};
     stored_.origin = nearest_plane_ ? Origin::nearest_plane : Origin::plain;
     stored_.coef.resize(real.coef.size());
   }
 
-  [[nodiscard]] StoredMap run(const std::optional<Grid>& given) {
+  /// On a grid chosen for each coefficient when all above it are stored.
+  [[nodiscard]] StoredMap run() {
+    Lanes lanes(count());
+    split(real_.coef, lanes);
     for (std::size_t i = kSix; i-- > 0;) {
-      const std::vector<double> targets = make_targets(i);
-      if (given) {
-        stored_.bias[i] = given->bias[i];
-        stored_.shift[i] = given->shift[i];
-      } else {
-        choose(i, targets);
-      }
-      round(i, targets);
+      const std::vector<double> targets = make_targets(i, lanes);
+      choose(i, targets, lanes);
+      round(i, targets, lanes);
     }
-    const Gram g = factor_.transpose() * factor_;
-    record_loss(real_, g, stored_);
-    return std::move(stored_);
+    take(lanes, 0);
+    return finish();
+  }
+
+  [[nodiscard]] StoredMap run(const Grid& grid) {
+    stored_.bias = grid.bias;
+    stored_.shift = grid.shift;
+    Lanes lanes(std::min(count(), kBlock));
+    std::vector<double> targets;
+    for (std::size_t first = 0; first < count(); first += lanes.size()) {
+      if (count() - first < lanes.size()) lanes = Lanes(count() - first);
+      split(real_.coef.subspan(first * kSix, lanes.size() * kSix), lanes);
+      for (std::size_t i = kSix; i-- > 0;) {
+        make_targets(i, lanes, targets);
+        round(i, targets, lanes);
+      }
+      take(lanes, first);
+    }
+    return finish();
   }
 
  private:
   [[nodiscard]] std::size_t count() const { return real_.coef.size() / kSix; }
 
-  /// What coefficient i should be, given what the coefficients above it became.
-  [[nodiscard]] std::vector<double> make_targets(std::size_t i) const {
-    std::vector<double> targets(count());
-    for (std::size_t t = 0; t < targets.size(); ++t) targets[t] = real_.coef[t * kSix + i];
+  /// What coefficient i should be, given what the coefficients above it became; the error of one
+  /// that is not stored yet is 0.
+  void make_targets(std::size_t i, const Lanes& lanes, std::vector<double>& targets) const {
+    targets = lanes.real[i];
     for (std::size_t j = i + 1; j < kSix && nearest_plane_; ++j) {
-      const double share = entry(i, j) / entry(i, i);
-      if (error_[j].empty() || share == 0) continue;
-      for (std::size_t t = 0; t < targets.size(); ++t) targets[t] -= share * error_[j][t];
+      const double share = factor_[i][j] / factor_[i][i];
+      if (share != 0) subtract_share(share, lanes.error[j], targets);
     }
+  }
+  [[nodiscard]] std::vector<double> make_targets(std::size_t i, const Lanes& lanes) const {
+    std::vector<double> targets;
+    make_targets(i, lanes, targets);
     return targets;
   }
 
   /// Bias by the targets; shift too, when i is the first of its group to be stored. The group's
   /// other members then stand with the targets that are known so far.
-  void choose(std::size_t i, const std::vector<double>& targets) {
+  void choose(std::size_t i, const std::vector<double>& targets, const Lanes& lanes) {
     std::vector<Population> members;
     members.emplace_back(targets, weight(i));
     const auto group = shift_group(config_, i);
     if (i == group.back()) {
       for (const std::size_t other : group.first(group.size() - 1)) {
-        members.emplace_back(make_targets(other), weight(other));
+        members.emplace_back(make_targets(other, lanes), weight(other));
       }
       const int shift = best_shift(members, config_);
       for (const std::size_t member : group) stored_.shift[member] = shift;
@@ -80,41 +103,48 @@ class Rounder {
     stored_.bias[i] = best_bias(members.front(), stored_.shift[i], config_);
   }
 
-  void round(std::size_t i, const std::vector<double>& targets) {
-    const Window window = delta_window(config_, stored_.bias[i]);
-    const double up = std::ldexp(1.0, stored_.shift[i]), down = std::ldexp(1.0, -stored_.shift[i]);
-    error_[i].resize(nearest_plane_ ? targets.size() : 0);
-    for (std::size_t t = 0; t < targets.size(); ++t) {
-      const double rounded = std::floor(targets[t] * up + 0.5);
-      const double delta = std::clamp(rounded, double(window.low), double(window.high));
-      stored_.saturated[i] += delta != rounded ? 1U : 0U;
-      const int coef = static_cast<int>(delta) + stored_.bias[i];
-      stored_.coef[t * kSix + i] = static_cast<std::uint16_t>(coef);
-      if (nearest_plane_) error_[i][t] = difference(delta * down, real_.coef[t * kSix + i]);
+  void round(std::size_t i, const std::vector<double>& targets, Lanes& lanes) {
+    const int bias = stored_.bias[i];
+    const Step step{stored_.shift[i], bias, delta_window(config_, bias)};
+    stored_.saturated[i] += round_lane(targets, step, i, lanes);
+    add_luminance(factor_[i], i, lanes);
+  }
+
+  /// The integers of some polynomials and what they lost.
+  void take(const Lanes& lanes, std::size_t first) {
+    merge(lanes, std::span(stored_.coef).subspan(first * kSix, lanes.size() * kSix));
+    for (const double square : lanes.luminance) {
+      squares_ += square;
+      worst_ = std::max(worst_, square);
     }
   }
 
-  [[nodiscard]] double entry(std::size_t i, std::size_t j) const {
-    return factor_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  [[nodiscard]] StoredMap finish() {
+    stored_.rms_error = std::sqrt(squares_ / static_cast<double>(count()));
+    stored_.worst_error = std::sqrt(worst_);
+    return std::move(stored_);
   }
+
   /// What a squared error of coefficient i weighs in the luminance.
   [[nodiscard]] double weight(std::size_t i) const {
-    if (nearest_plane_) return entry(i, i) * entry(i, i);
-    return factor_.col(static_cast<Eigen::Index>(i)).squaredNorm();
+    if (nearest_plane_) return factor_[i][i] * factor_[i][i];
+    double sum = 0;
+    for (const Six<double>& row : factor_) sum += row[i] * row[i];
+    return sum;
   }
 
   RealMap real_;
   EvalConfig config_;
-  Gram factor_;
+  Six<Six<double>> factor_{};  ///< R with R^T R = G, row by row
   bool nearest_plane_;
   StoredMap stored_;
-  Six<std::vector<double>> error_;  ///< stored less real, of the coefficients already stored
+  double squares_ = 0, worst_ = 0;  ///< of the luminance's change, by polynomial
 };
 
 }  // namespace
 
 StoredMap quantize(const RealMap& real, const EvalConfig& config, Method method, const Gram& gram) {
-  return Rounder(real, config, method, gram).run({});
+  return Rounder(real, config, method, gram).run();
 }
 
 StoredMap quantize_on_grid(const RealMap& real, const Grid& grid, const EvalConfig& config,

@@ -118,6 +118,10 @@ Json to_json(const FitArguments& arguments, const FitJob& job, const FitOutcome&
   out["bias"] = outcome.bias;
   out["saturated"] = outcome.loss.saturated;
   out["quantization_rms"] = outcome.loss.rms();
+  out["quantization_worst"] = outcome.loss.worst;
+  out["luminance_exceeding"] = outcome.balance.exceeding;
+  out["luminance_scaled"] = outcome.balance.scaled;
+  out["luminance_remaining"] = outcome.balance.remaining;
   describe_quality(outcome, out);
   out["seconds"] = {{"read", outcome.read_seconds},
                     {"fit", outcome.fit_seconds},
@@ -150,7 +154,8 @@ void print_text(const Json& out) {
   std::cout << "stored by " << out["method"].get<std::string>() << " for "
             << out["preset"].get<std::string>() << ": scale " << out["scale"].dump() << ", bias "
             << out["bias"].dump() << ", saturated " << out["saturated"].dump() << ", "
-            << out["quantization_rms"] << " levels RMS\n"
+            << out["quantization_rms"] << " levels RMS, " << out["quantization_worst"]
+            << " in the texel that lost most\n"
             << "map: " << out["map"].get<std::string>() << '\n';
 }
 

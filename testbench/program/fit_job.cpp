@@ -8,6 +8,8 @@
 #include "golden/files/picture_row_writer.h"
 #include "golden/files/ptm_row_writer.h"
 #include "testbench/program/fit_judge.h"
+#include "testbench/program/roomy_buffer.h"
+#include "testbench/run/hardware_map.h"
 #include "testbench/run/stopwatch.h"
 
 namespace ptm::testbench {
@@ -80,7 +82,7 @@ class Runner {
       }
       store();
       judge();
-      writer.write(band_.first_row, band_.rows, bytes_, color_);
+      writer.write(band_.first_row, band_.rows, bytes_.all(), color_);
       if (step_) step_(++steps_, total);
     }
     if (residual_) residual_->commit();
@@ -162,17 +164,26 @@ class Runner {
     const Timed timed(out_.fit_seconds);
     coef_.resize(band_.texels * polynomials() * 6);
     color_.resize(band_.texels * shape_.color_bytes());
-    golden::for_each_tile(band_.texels, [&](std::size_t, std::size_t first, std::size_t count) {
-      golden::fit_tile(band_.tile(first, count, 0), out_.solver, job_.fit, coef_of(first, count),
-                       color_of(first, count));
+    balances_.assign(golden::tiles_of(band_.texels), {});
+    golden::for_each_tile(band_.texels, [&](std::size_t tile, std::size_t first, std::size_t n) {
+      golden::fit_tile(band_.tile(first, n, 0), out_.solver, job_.fit, coef_of(first, n),
+                       color_of(first, n));
+      if (!balances()) return;
+      balances_[tile] = quantize::balance_luminance(coef_of(first, n), color_of(first, n),
+                                                    balance_lights_, job_.config);
     });
   }
 
+  /// HP's fitter knows no limit of luminance, and colours of other kinds are no factors.
+  [[nodiscard]] bool balances() const {
+    return shape_.kind == golden::MapKind::lrgb && job_.quantizer != "hp";
+  }
+
   [[nodiscard]] std::span<double> coef_of(std::size_t first, std::size_t count) {
-    return std::span(coef_).subspan(first * polynomials() * 6, count * polynomials() * 6);
+    return coef_.part(first * polynomials() * 6, count * polynomials() * 6);
   }
   [[nodiscard]] std::span<std::uint8_t> bytes_of(std::size_t first, std::size_t count) {
-    return std::span(bytes_).subspan(first * polynomials() * 6, count * polynomials() * 6);
+    return bytes_.part(first * polynomials() * 6, count * polynomials() * 6);
   }
   [[nodiscard]] std::span<std::uint8_t> color_of(std::size_t first, std::size_t count) {
     return std::span(color_).subspan(first * shape_.color_bytes(), count * shape_.color_bytes());
@@ -181,13 +192,18 @@ class Runner {
   /// Keeps what scales and biases are chosen by: the range of all, and polynomials of texels drawn
   /// by a fixed hash, so that no regular pattern of the picture meets a regular one of the sample.
   void gather() {
-    range_.add(coef_);
+    for (const quantize::Balance& balance : balances_) {
+      out_.balance.exceeding += balance.exceeding;
+      out_.balance.scaled += balance.scaled;
+      out_.balance.remaining += balance.remaining;
+    }
+    range_.add(coef_.all());
     const std::size_t before =
         static_cast<std::size_t>(band_.first_row) * static_cast<std::size_t>(shape_.width);
     const std::size_t size = polynomials() * 6;
     if (stride_ == 1) sample_.reserve(shape_.texels() * size);
     for (std::size_t t = 0; t < band_.texels; ++t) {
-      const double* from = coef_.data() + t * size;
+      const double* from = coef_.all().data() + t * size;
       out_.black_texels +=
           std::all_of(from, from + size, [](double a) { return a == 0; }) ? 1U : 0U;
       const std::uint64_t hash = (before + t) * std::uint64_t{0x9E3779B97F4A7C15} >> 32;
@@ -201,6 +217,12 @@ class Runner {
       out_.notes.push_back(std::to_string(bands.counts().negative) +
                            " negative samples taken as black");
     }
+    if (out_.balance.exceeding > 0) {
+      out_.notes.push_back("luminance of " + std::to_string(out_.balance.exceeding) +
+                           " texels exceeded the hardware's; " +
+                           std::to_string(out_.balance.scaled) + " had their colours scaled up, " +
+                           std::to_string(out_.balance.remaining) + " still exceed it");
+    }
     if (bands.bands() > 1 && !bands.all_stream()) {
       out_.notes.emplace_back(
           "some photographs cannot be read by rows and are decoded once for each band");
@@ -209,7 +231,7 @@ class Runner {
 
   void choose() {
     const Timed timed(out_.quantize_seconds);
-    if (sample_.empty()) sample_.assign(coef_.begin(), coef_.begin() + 6);
+    if (sample_.empty()) sample_.assign(coef_.all().begin(), coef_.all().begin() + 6);
     storage_.choose(sample_, range_);
     sample_ = {};
     out_.scale = shape_.scale = storage_.scale();
@@ -230,7 +252,7 @@ class Runner {
   void judge() {
     const Timed timed(out_.judge_seconds);
     residual_rows_.assign(residual_ ? band_.texels : 0, 0);
-    judge_->add(band_, coef_, storage_.decode(bytes_), color_, residual_rows_);
+    judge_->add(band_, coef_.all(), storage_.decode(bytes_.all()), color_, residual_rows_);
     if (residual_) residual_->write(residual_rows_);
   }
 
@@ -242,9 +264,11 @@ class Runner {
   golden::PtmMap shape_;  ///< kind, size, scales and biases; no texels
   Capture training_, held_out_;
   Band band_;
-  std::vector<double> coef_;         ///< of the band, [texel][polynomial][6]
-  std::vector<std::uint8_t> bytes_;  ///< the same, stored
+  RoomyBuffer<double> coef_;         ///< of the band, [texel][polynomial][6]
+  RoomyBuffer<std::uint8_t> bytes_;  ///< the same, stored
   std::vector<std::uint8_t> color_;  ///< of the band
+  std::vector<std::array<double, 2>> balance_lights_ = hemisphere_lights();
+  std::vector<quantize::Balance> balances_;  ///< of the band, by tile
   std::vector<double> sample_;
   golden::CoefficientRange range_;
   std::size_t stride_ = 1;

@@ -7,6 +7,7 @@
 
 #include "golden/fit/capture.h"
 #include "golden/fit/fit_quality.h"
+#include "model/quantize/balance.h"
 #include "testbench/program/map_storage.h"
 
 namespace ptm::testbench {
@@ -44,6 +45,7 @@ struct FitOutcome {
   std::array<double, 6> scale{};
   std::array<std::int32_t, 6> bias{};
   std::optional<std::array<int, 6>> shift;
+  quantize::Balance balance;  ///< of an LRGB map's luminance and colour
   StorageLoss loss;
   std::uint64_t saturated_samples = 0, black_texels = 0;
   double read_seconds = 0, fit_seconds = 0, quantize_seconds = 0, judge_seconds = 0;

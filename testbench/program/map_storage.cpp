@@ -10,6 +10,7 @@ StorageLoss loss_of(const quantize::StoredMap& stored) {
   StorageLoss loss;
   loss.saturated = stored.saturated;
   loss.polynomials = stored.coef.size() / 6;
+  loss.worst = stored.worst_error;
   loss.squares = stored.rms_error * stored.rms_error * static_cast<double>(loss.polynomials);
   return loss;
 }
@@ -24,6 +25,7 @@ void to_bytes(const quantize::StoredMap& stored, std::span<std::uint8_t> bytes) 
 void StorageLoss::add(const StorageLoss& other) {
   for (std::size_t k = 0; k < 6; ++k) saturated[k] += other.saturated[k];
   squares += other.squares;
+  worst = std::max(worst, other.worst);
   polynomials += other.polynomials;
 }
 
@@ -69,7 +71,9 @@ StorageLoss MapStorage::encode(std::span<const double> coef, std::span<std::uint
     for (std::size_t k = 0; k < 6; ++k) {
       e[static_cast<Eigen::Index>(k)] = stored[n + k] - coef[n + k];
     }
-    loss.squares += e.dot(gram_ * e);
+    const double square = e.dot(gram_ * e);
+    loss.squares += square;
+    loss.worst = std::max(loss.worst, std::sqrt(std::max(0.0, square)));
   }
   return loss;
 }

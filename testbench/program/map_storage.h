@@ -17,6 +17,7 @@ namespace ptm::testbench {
 struct StorageLoss {
   std::array<std::uint64_t, 6> saturated{};
   double squares = 0;
+  double worst = 0;  ///< RMS over the lights, of the polynomial that lost most
   std::uint64_t polynomials = 0;
 
   void add(const StorageLoss& other);

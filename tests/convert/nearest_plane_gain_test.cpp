@@ -37,19 +37,19 @@ struct Gain {
   double plain, on_same_grid, nearest_plane;
 };
 
-Gain measure(const std::filesystem::path& lp) {
+Gain measure(const std::filesystem::path& lp, const char* preset = "base") {
   const tests::LrgbFit fit = tests::fit_lrgb(lp);
   const RealMap real{fit.width, fit.height, 1, fit.coef};
   const Gram g = hemisphere_gram();
-  const auto& config = reference::kBase;
+  const auto& config = reference::find_preset(preset).config;
   const Grid grid = range_grid(real, config);
   const Gain gain{picture_psnr(fit, quantize_on_grid(real, grid, config, Method::plain, g)),
                   picture_psnr(fit, quantize_on_grid(real, grid, config, Method::nearest_plane, g)),
                   picture_psnr(fit, quantize(real, config, Method::nearest_plane, g))};
-  std::cout << lp.parent_path().filename().string() << ": plain on the grid by range " << gain.plain
-            << " dB, nearest plane on that grid " << gain.on_same_grid
-            << " dB, nearest plane on the grid by error " << gain.nearest_plane << " dB, gain "
-            << gain.nearest_plane - gain.plain << " dB\n";
+  std::cout << lp.parent_path().filename().string() << ", " << preset
+            << ": plain on the grid by range " << gain.plain << " dB, nearest plane on that grid "
+            << gain.on_same_grid << " dB, nearest plane on the grid by error " << gain.nearest_plane
+            << " dB, gain " << gain.nearest_plane - gain.plain << " dB\n";
   return gain;
 }
 
@@ -68,10 +68,22 @@ TEST(NearestPlaneGain, IsThreeDecibelsOnDome) {
 }
 
 TEST(NearestPlaneGain, IsFourAndAHalfDecibelsOnFortyTexels) {
-  // 5 dB were hoped for. The exact nearest point of the lattice gains 0.02 dB more, no more.
+  // 5 dB were asked for, and eight-bit deltas have them, below. The exact nearest point of the
+  // lattice gains 0.02 dB more, no more.
   PTM_SHARED_DATA_OR_SKIP(lp, "reference_8x5/reference_8x5.lp");
   const Gain gain = measure(lp);
   EXPECT_GT(gain.nearest_plane, gain.plain + 4.5);
+}
+
+TEST(NearestPlaneGain, ForDeltasOfEightBitsIsWhatWasAskedForOnAllThreeCaptures) {
+  const std::pair<const char*, double> cases[] = {
+      {"icon/dirs.lp", 5}, {"dome/Dome/dirs.lp", 3}, {"reference_8x5/reference_8x5.lp", 5}};
+  for (const auto& [name, asked] : cases) {
+    PTM_SHARED_DATA_OR_SKIP(lp, name);
+    const Gain gain = measure(lp, "paper8");
+    EXPECT_GT(gain.on_same_grid, gain.plain + asked) << name;
+    EXPECT_GT(gain.nearest_plane, gain.plain + asked) << name;
+  }
 }
 
 }  // namespace
