@@ -42,9 +42,12 @@ class UnitSceneMaker {
  public:
   explicit UnitSceneMaker(std::uint64_t seed) : rng_(seed) {}
 
-  UnitScene scene(int draws = 4) {
+  UnitScene scene(int draws = 4) { return scene_of(config(), draws); }
+
+  /// For a unit that is built for that configuration.
+  UnitScene scene_of(const reference::EvalConfig& built_for, int draws = 4) {
     UnitScene out;
-    out.config = config();
+    out.config = built_for;
     fill_palettes(out);
     for (int d = 0; d < draws; ++d) add_draw(out);
     return out;
@@ -219,6 +222,10 @@ class UnitSceneMaker {
     draw.palette = in(0, 3);
     fill(draw.bias, (1 << out.config.coef_bits) - 1);
     for (auto& s : draw.shift) s = in(out.config.shift_min, 15);
+    if (out.config.shift_groups == 3) {
+      draw.shift[1] = draw.shift[2] = draw.shift[0];
+      draw.shift[4] = draw.shift[3];
+    }
     draw.ka = in(0, 511);
     draw.kd = in(0, 511);
     draw.ks = in(0, 511);
