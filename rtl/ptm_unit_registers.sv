@@ -29,8 +29,8 @@ module ptm_unit_registers (
   output logic [14:0] pal_rgb_addr_o,
   output logic [31:0] pal_data_o
 );
-  localparam int DrawW    = ptm_unit_pkg::DrawW;
-  localparam int Draws    = ptm_unit_pkg::Draws;
+  localparam int DrawW     = ptm_unit_pkg::DrawW;
+  localparam int Draws     = ptm_unit_pkg::Draws;
   localparam int LastLevel = ptm_unit_pkg::LevelsMax - 1;
 
   // Writes
@@ -52,23 +52,76 @@ module ptm_unit_registers (
     else if (we_lines) memory_lines_q <= reg_wdata_i[ptm_unit_pkg::LineBits:0];
   end
 
-  ptm_unit_pkg::draw_t checked;  // the draw that is looked at
-  logic [1:0]          check_draw_q;
-  logic [Draws-1:0]    we_control;
-  for (genvar d = 0; d < Draws; d++) begin : gen_draw
-    ptm_draw_registers u_draw (
-      .clk_i(clk_i), .rst_ni(rst_ni), .we_i(we_draws && reg_addr_i[7:6] == 2'(d)),
-      .addr_i(reg_addr_i[5:0]), .data_i(reg_wdata_i), .we_control_o(we_control[d]),
-      .draw_o(draws_o[d*DrawW +: DrawW])
-    );
+  // Draws, as one vector that only writes touch: put together of registers it took a third of the
+  // unit's simulation time. At: where a draw_t keeps what; TextureW above ColorAt is the map.
+  localparam int KdAt = 9, KaAt = 18, PaletteAt = 27, ShiftAt = 29, BiasAt = 59, ColorAt = 131;
+  localparam int MapAt = ColorAt + ptm_unit_pkg::TextureW, LodAt = MapAt + ptm_unit_pkg::TextureW;
+  localparam int HasColorAt = LodAt + 13, CombineAt = LodAt + 14, WrapVAt = LodAt + 17;
+  localparam int WrapUAt = LodAt + 19, MipAt = LodAt + 21, BilinearAt = LodAt + 23;
+  localparam int FormatAt = LodAt + 24;
+  localparam int LineW = ptm_unit_pkg::LineBits, SideW = ptm_unit_pkg::SideBits;
+  localparam int LevelsAt = ptm_unit_pkg::LevelsMax * LineW;  // within a texture
+  localparam int HeightAt = LevelsAt + 4, WidthAt = HeightAt + SideW;
+
+  logic [Draws*DrawW-1:0] draws_q;
+  logic [Draws-1:0]       we_control;
+  assign draws_o = draws_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) draws_q <= '0;
+    else if (we_draws) begin
+      for (int d = 0; d < Draws; d++) begin
+        if (reg_addr_i[7:6] == 2'(d)) begin
+          case (reg_addr_i[5:0])
+            6'd0: begin
+              draws_q[d*DrawW+FormatAt +: 3]  <= reg_wdata_i[2:0];
+              draws_q[d*DrawW+MipAt +: 2]     <= reg_wdata_i[4:3];
+              draws_q[d*DrawW+BilinearAt]     <= reg_wdata_i[5];
+              draws_q[d*DrawW+WrapUAt +: 2]   <= reg_wdata_i[7:6];
+              draws_q[d*DrawW+WrapVAt +: 2]   <= reg_wdata_i[9:8];
+              draws_q[d*DrawW+CombineAt +: 3] <= reg_wdata_i[12:10];
+              draws_q[d*DrawW+HasColorAt]     <= reg_wdata_i[13];
+              draws_q[d*DrawW+PaletteAt +: 2] <= reg_wdata_i[15:14];
+            end
+            6'd1: begin
+              draws_q[d*DrawW+MapAt+WidthAt +: SideW]  <= reg_wdata_i[0 +: SideW];
+              draws_q[d*DrawW+MapAt+HeightAt +: SideW] <= reg_wdata_i[16 +: SideW];
+            end
+            6'd2: begin
+              draws_q[d*DrawW+ColorAt+WidthAt +: SideW]  <= reg_wdata_i[0 +: SideW];
+              draws_q[d*DrawW+ColorAt+HeightAt +: SideW] <= reg_wdata_i[16 +: SideW];
+            end
+            6'd3: begin
+              draws_q[d*DrawW+MapAt+LevelsAt +: 4]   <= reg_wdata_i[3:0];
+              draws_q[d*DrawW+ColorAt+LevelsAt +: 4] <= reg_wdata_i[11:8];
+              draws_q[d*DrawW+LodAt +: 13]           <= reg_wdata_i[28:16];
+            end
+            6'd10: begin
+              draws_q[d*DrawW+KaAt +: 9] <= reg_wdata_i[8:0];
+              draws_q[d*DrawW+KdAt +: 9] <= reg_wdata_i[17:9];
+              draws_q[d*DrawW +: 9]      <= reg_wdata_i[26:18];
+            end
+            default: ;
+          endcase
+          for (int i = 0; i < 6; i++) begin
+            if (reg_addr_i[5:0] == 6'(4 + i)) begin
+              draws_q[d*DrawW+BiasAt+12*i +: 12] <= reg_wdata_i[11:0];
+              draws_q[d*DrawW+ShiftAt+5*i +: 5]  <= reg_wdata_i[20:16];
+            end
+          end
+          for (int l = 0; l <= LastLevel; l++) begin
+            if (reg_addr_i[5:0] == 6'(16 + l)) begin
+              draws_q[d*DrawW+MapAt+LineW*l +: LineW] <= reg_wdata_i[LineW-1:0];
+            end
+            if (reg_addr_i[5:0] == 6'(32 + l)) begin
+              draws_q[d*DrawW+ColorAt+LineW*l +: LineW] <= reg_wdata_i[LineW-1:0];
+            end
+          end
+        end
+      end
+    end
   end
-  always_comb begin
-    case (check_draw_q)
-      2'd0:    checked = draws_o[0*DrawW +: DrawW];
-      2'd1:    checked = draws_o[1*DrawW +: DrawW];
-      2'd2:    checked = draws_o[2*DrawW +: DrawW];
-      default: checked = draws_o[3*DrawW +: DrawW];
-    endcase
+  for (genvar d = 0; d < Draws; d++) begin : gen_control
+    assign we_control[d] = we_draws && reg_addr_i[7:0] == 8'(64 * d);
   end
 
   // The check: one level of one texture a cycle
@@ -79,23 +132,47 @@ module ptm_unit_registers (
   logic             beyond_q;  // error 4 so far
   logic [4*Draws-1:0] errors_q;
 
-  logic bad_size, bad_levels, bad_control, beyond;
-  ptm_draw_check u_check (
-    .format_i(checked.format), .mip_i(checked.mip), .wrap_u_i(checked.wrap_u),
-    .wrap_v_i(checked.wrap_v), .combine_i(checked.combine), .color_i(checked.color),
-    .texture_i(texture_q), .width_i(texture_q ? checked.color_texture.width : checked.ptm.width),
-    .height_i(texture_q ? checked.color_texture.height : checked.ptm.height),
-    .levels_i(texture_q ? checked.color_texture.levels : checked.ptm.levels), .level_i(level_q),
-    .base_i(base), .memory_lines_i(memory_lines_q), .bad_size_o(bad_size),
-    .bad_levels_o(bad_levels), .bad_control_o(bad_control), .beyond_o(beyond)
-  );
-  logic [ptm_unit_pkg::LineBits-1:0] base;
+  logic [1:0]       check_draw_q;
+  logic [2:0]       format, combine;
+  logic [1:0]       mip, wrap_u, wrap_v;
+  logic             color;
+  logic [SideW-1:0] width, height;
+  logic [3:0]       levels;
+  logic [LineW-1:0] base;
   always_comb begin
-    base = '0;
-    for (int l = 0; l <= LastLevel; l++) begin
-      if (level_q == 4'(l)) base = texture_q ? checked.color_texture.base[l] : checked.ptm.base[l];
+    {format, combine, mip, wrap_u, wrap_v, color} = '0;
+    {width, height, levels, base}                 = '0;
+    if (active_q) begin
+      for (int d = 0; d < Draws; d++) begin
+        if (check_draw_q == 2'(d)) begin
+          format  = draws_q[d*DrawW+FormatAt +: 3];
+          combine = draws_q[d*DrawW+CombineAt +: 3];
+          mip     = draws_q[d*DrawW+MipAt +: 2];
+          wrap_u  = draws_q[d*DrawW+WrapUAt +: 2];
+          wrap_v  = draws_q[d*DrawW+WrapVAt +: 2];
+          color   = draws_q[d*DrawW+HasColorAt];
+          {width, height, levels} = texture_q
+              ? draws_q[d*DrawW+ColorAt+LevelsAt +: 2*SideW+4]
+              : draws_q[d*DrawW+MapAt+LevelsAt +: 2*SideW+4];
+          for (int l = 0; l <= LastLevel; l++) begin
+            if (level_q == 4'(l)) begin
+              base = texture_q ? draws_q[d*DrawW+ColorAt+LineW*l +: LineW]
+                               : draws_q[d*DrawW+MapAt+LineW*l +: LineW];
+            end
+          end
+        end
+      end
     end
   end
+
+  logic bad_size, bad_levels, bad_control, beyond;
+  ptm_draw_check u_check (
+    .format_i(format), .mip_i(mip), .wrap_u_i(wrap_u), .wrap_v_i(wrap_v), .combine_i(combine),
+    .color_i(color), .texture_i(texture_q), .width_i(width), .height_i(height),
+    .levels_i(levels), .level_i(level_q), .base_i(base), .memory_lines_i(memory_lines_q),
+    .bad_size_o(bad_size), .bad_levels_o(bad_levels), .bad_control_o(bad_control),
+    .beyond_o(beyond)
+  );
 
   logic       last, beyond_all;
   logic [2:0] seen;
@@ -162,8 +239,8 @@ module ptm_unit_registers (
     status = '0;
     for (int d = 0; d < Draws; d++) status[8*d +: 4] = errors_q[4*d +: 4];
     counter = '0;
-    for (int n = 0; n < 2 * ptm_unit_pkg::Counters; n++) begin
-      if (reg_addr_i[6:0] == 7'(n)) counter = counters_i[32*n +: 32];
+    if (reg_addr_i[6:0] < 7'(2 * ptm_unit_pkg::Counters)) begin
+      counter = counters_i[{reg_addr_i[6:0], 5'd0} +: 32];
     end
     if (reg_addr_i[15:7] == 9'h040) reg_rdata_o = counter;
     else if (reg_addr_i == 16'h1002) reg_rdata_o = status;

@@ -37,7 +37,6 @@ rtl/ptm_combine_scale.sv
 rtl/ptm_combine.sv
 rtl/ptm_multiply_count.sv
 rtl/ptm_unit_back.sv
-rtl/ptm_draw_registers.sv
 rtl/ptm_draw_check.sv
 rtl/ptm_unit_registers.sv
 rtl/ptm_unit.sv

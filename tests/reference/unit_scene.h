@@ -42,10 +42,8 @@ class UnitSceneMaker {
  public:
   explicit UnitSceneMaker(std::uint64_t seed) : rng_(seed) {}
 
-  UnitScene scene(int draws = 4) { return scene_of(config(), draws); }
-
-  /// For a unit that is built for that configuration.
-  UnitScene scene_of(const reference::EvalConfig& built_for, int draws = 4) {
+  UnitScene scene(int draws = 4) { return scene(config(), draws); }
+  UnitScene scene(const reference::EvalConfig& built_for, int draws = 4) {
     UnitScene out;
     out.config = built_for;
     fill_palettes(out);

@@ -60,7 +60,7 @@ class UnitExact : public testing::TestWithParam<Case> {};
 TEST_P(UnitExact, HasTheCycleOfEveryPixelAndEveryCounter) {
   const auto& [variant, condition] = GetParam();
   UnitSceneMaker make(std::hash<std::string>{}(condition.name) % 1000);
-  const UnitScene scene = make.scene_of(variant.config);
+  const UnitScene scene = make.scene(variant.config);
   const auto fragments = random_fragments(make, scene, 1500);
   const auto unit = variant.make();
   unit->load(scene.state);

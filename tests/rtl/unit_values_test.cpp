@@ -14,7 +14,7 @@ TEST_P(UnitValues, AreTheReferencesUnderRandomLatenciesStallsAndGaps) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     UnitSceneMaker make(seed);
-    const UnitScene scene = make.scene_of(GetParam().config);
+    const UnitScene scene = make.scene(GetParam().config);
     const auto fragments = random_fragments(make, scene, 400);
     unit->load(scene.state);
     const auto memory = make_memory(RandomMemory{.seed = seed, .latency_max = 40});
@@ -32,7 +32,7 @@ TEST_P(UnitValues, AreTheReferencesUnderRandomLatenciesStallsAndGaps) {
 TEST_P(UnitValues, StayWhenTheMemoryMakesRequestsWait) {
   const auto unit = GetParam().make();
   UnitSceneMaker make(99);
-  const UnitScene scene = make.scene_of(GetParam().config);
+  const UnitScene scene = make.scene(GetParam().config);
   const auto fragments = random_fragments(make, scene, 400);
   unit->load(scene.state);
   unit->stall_requests(0.7, 5);
@@ -46,7 +46,7 @@ TEST_P(UnitValues, StayWhenTheMemoryMakesRequestsWait) {
 TEST_P(UnitValues, OfASecondFrameComeFromTheCacheIfItIsKeptAndFromMemoryIfNot) {
   const auto unit = GetParam().make();
   UnitSceneMaker make(7);
-  const UnitScene scene = make.scene_of(GetParam().config);
+  const UnitScene scene = make.scene(GetParam().config);
   const auto fragments = random_fragments(make, scene, 60);
   unit->load(scene.state);
   const auto memory = make_memory(FixedMemory{});
