@@ -123,22 +123,19 @@ module ptm_unit_counters #(
     assign step[(21+4*d+3)*Wide +: Wide]  = here ? Wide'(misses_color) : '0;
   end
 
-  // A register a counter: only those that move are written
-  for (genvar n = 0; n < Counters; n++) begin : gen_counter
-    logic [63:0] count_q;
-    if (n == 2 || n == 7) begin : gen_cycles  // with the idle time before
-      always_ff @(posedge clk_i or negedge rst_ni) begin
-        if (!rst_ni) count_q <= '0;
-        else if (clear_i) count_q <= '0;
-        else if (step[n*Wide +: Wide] != '0) count_q <= count_q + 64'(step[n*Wide +: Wide]) + idle_q;
-      end
-    end else begin : gen_plain
-      always_ff @(posedge clk_i or negedge rst_ni) begin
-        if (!rst_ni) count_q <= '0;
-        else if (clear_i) count_q <= '0;
-        else if (step[n*Wide +: Wide] != '0) count_q <= count_q + 64'(step[n*Wide +: Wide]);
+  // Only those that move are written. The cycles bring the idle time before them.
+  logic [Counters*64-1:0] counters_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) counters_q <= '0;
+    else if (clear_i) counters_q <= '0;
+    else begin
+      for (int n = 0; n < Counters; n++) begin
+        if (step[n*Wide +: Wide] != '0) begin
+          counters_q[n*64 +: 64] <= counters_q[n*64 +: 64] + 64'(step[n*Wide +: Wide]) +
+                                    (n == 2 || n == 7 ? idle_q : 64'd0);
+        end
       end
     end
-    assign counters_o[n*64 +: 64] = count_q;
   end
+  assign counters_o = counters_q;
 endmodule

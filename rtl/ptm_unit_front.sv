@@ -62,16 +62,25 @@ module ptm_unit_front #(
   // A0 to A3
   logic                a_valid, a_ready;
   ptm_unit_pkg::beat_t a_beat;
-  logic [Tmus*ptm_unit_front_pkg::LookupW-1:0] a_lookup;
+  ptm_unit_front_pkg::texels_t       a_map_texels, a_color_texels;
+  ptm_unit_front_pkg::row_lines_t    a_map_row_lines, a_color_row_lines;
+  ptm_unit_front_pkg::column_lines_t a_map_column_lines, a_color_column_lines;
+  logic [3:0]          a_taps;
+  logic [Tmus-1:0]     a_fetched, a_color;
+  logic [3*Tmus-1:0]   a_plane;
   logic                inc_conflicts;
   logic [1:0]          inc_words;
   logic [3:0]          inc_taps, inc_address;
   ptm_unit_address #(
-    .Tmus(Tmus), .Sets(Sets)
+    .Tmus(Tmus)
   ) u_address (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .valid_i(valid_i), .ready_o(ready_o),
     .fragment_i(fragment_i), .valid_o(a_valid), .ready_i(a_ready), .beat_o(a_beat),
-    .lookup_o(a_lookup), .inc_conflicts_o(inc_conflicts), .inc_words_o(inc_words),
+    .map_texels_o(a_map_texels), .map_row_lines_o(a_map_row_lines),
+    .map_column_lines_o(a_map_column_lines), .color_texels_o(a_color_texels),
+    .color_row_lines_o(a_color_row_lines), .color_column_lines_o(a_color_column_lines),
+    .taps_o(a_taps), .fetched_o(a_fetched), .color_o(a_color), .plane_o(a_plane),
+    .inc_conflicts_o(inc_conflicts), .inc_words_o(inc_words),
     .inc_taps_o(inc_taps), .inc_multiplies_o(inc_address)
   );
 
@@ -90,7 +99,12 @@ module ptm_unit_front #(
     .Tmus(Tmus), .Sets(Sets), .Ways(Ways)
   ) u_tags (
     .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .valid_i(a_valid),
-    .ready_o(a_ready), .beat_i(a_beat), .lookup_i(a_lookup), .miss_valid_o(miss_valid),
+    .ready_o(a_ready), .beat_i(a_beat), 
+    .map_texels_i(a_map_texels), .map_row_lines_i(a_map_row_lines),
+    .map_column_lines_i(a_map_column_lines), .color_texels_i(a_color_texels),
+    .color_row_lines_i(a_color_row_lines), .color_column_lines_i(a_color_column_lines),
+    .taps_i(a_taps), .fetched_i(a_fetched), .color_i(a_color), .plane_i(a_plane),
+    .miss_valid_o(miss_valid),
     .miss_line_o(miss_line), .miss_push_o(miss_push), .miss_fits_i(miss_fits), .valid_o(t_valid),
     .ready_i(t_ready), .beat_o(t_beat), .reads_o(t_reads), .waits_for_slots_o(t_waits),
     .looked_o(looked), .hits_o(hits), .misses_o(misses), .duplicates_o(duplicates),
