@@ -233,7 +233,7 @@ module ptm_filter #(
         .index_i(lrgb_read), .data_o(lrgb_data)
       );
     end else begin : gen_rgb_only
-      assign lrgb_data = '0;
+      assign lrgb_data = '0;  // never chosen
     end
     for (genvar k = 0; k < 4; k++) begin : gen_tap
       logic [WordW-1:0] rgb_entry, lrgb_entry;
@@ -265,6 +265,11 @@ module ptm_filter #(
     assign l1_color = brings_color(l1_step_q.format, l1_step_q.group, t);
     assign wu       = p_color ? p_color_wu_q : p_map_wu_q;
     assign wv       = l1_color ? l1_color_wv_q : l1_map_wv_q;
+    // Lanes of a palette's fields stand still for other words.
+    logic l1_lrgb, l1_rgb;
+    assign l1_lrgb = l1_step_q.format == ptm_unit_pkg::FormatPaletteLrgb &&
+                     l1_step_q.group == 3'd0;
+    assign l1_rgb  = l1_step_q.format == ptm_unit_pkg::FormatPaletteRgb && l1_step_q.group == 3'd0;
     for (genvar i = 0; i < (t == 0 ? Lanes0 : 4); i++) begin : gen_lane
       logic [ValueW-1:0] tap [4];
       for (genvar k = 0; k < 4; k++) begin : gen_tap
@@ -276,19 +281,23 @@ module ptm_filter #(
         );
       end
       ptm_filter_lane #(.Width(ValueW), .RoundNearest(RoundNearest)) u_lane (
-        .clk_i(clk_i), .load_l1_i(load_l1), .load_l2_i(load_l2), .t00_i(tap[0]), .t10_i(tap[1]),
-        .t01_i(tap[2]), .t11_i(tap[3]), .wu_i(wu), .wv_i(wv), .l2_o(l2[lane(t, i)])
+        .clk_i(clk_i), .load_l1_i(load_l1 && (i < 4 || p_rgb || (p_lrgb && i < 9))),
+        .load_l2_i(load_l2 && (i < 4 || l1_rgb || (l1_lrgb && i < 9))), .t00_i(tap[0]),
+        .t10_i(tap[1]), .t01_i(tap[2]), .t11_i(tap[3]), .wu_i(wu), .wv_i(wv),
+        .l2_o(l2[lane(t, i)])
       );
     end
   end
 
   // U8 to U10, L2 to O
-  logic              leave_l3, l3_none, l3_lrgb;
+  logic              leave_l3, l3_none, l3_lrgb, l3_rgb;
   logic [6*12-1:0]   l3_bias;
   logic [ValueW-1:0] field [ptm_unit_pkg::Fields];
   assign leave_l3 = l3_valid && (!l3_step_q.last || o_ready);
   assign l3_none  = l3_step_q.format == ptm_unit_pkg::FormatNone;
   assign l3_lrgb  = l3_step_q.format == ptm_unit_pkg::FormatLrgb;
+  assign l3_rgb   = l3_step_q.format == ptm_unit_pkg::FormatRgb ||
+                    l3_step_q.format == ptm_unit_pkg::FormatPaletteRgb;
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_l3_draw (
     .draws_i(draws_i), .draw_i(l3_step_q.draw), .bias_o(l3_bias),
@@ -346,7 +355,8 @@ module ptm_filter #(
       .clk_i(clk_i), .load_l3_i(load_l3), .here_i(here), .second_i(l2_step_q.second),
       .f_i(n < 22 ? l2_step_q.map_f : l2_step_q.color_f), .value_i(value),
       .leave_l3_i(leave_l3), .first_probe_i(l3_step_q.first_probe),
-      .probes_log2_i(l3_step_q.probes_log2), .load_o_i(load_o), .replace_i(replace),
+      .probes_log2_i(l3_step_q.probes_log2),
+      .load_o_i(load_o && (n < 6 || n >= 18 || l3_rgb)), .replace_i(replace),
       .replacement_i(replacement), .field_o(field[n])
     );
   end

@@ -43,8 +43,10 @@ module ptm_palette_schedule #(
     logic [IndexBits-1:0] index;
     always_comb begin
       index = '0;
-      for (int t = 0; t < 4; t++) begin
-        if (now_o[t] && port_o[2*t +: 2] == 2'(p)) index = index_i[t*IndexBits +: IndexBits];
+      if (fetched_i != '0) begin
+        for (int t = 0; t < 4; t++) begin
+          if (now_o[t] && port_o[2*t +: 2] == 2'(p)) index = index_i[t*IndexBits +: IndexBits];
+        end
       end
     end
     assign index_o[p*IndexBits +: IndexBits] = index;

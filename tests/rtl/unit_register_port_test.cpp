@@ -209,15 +209,34 @@ TEST_F(UnitRegisters, DrawsWrittenWhileOneIsLookedAtAreLookedAtToo) {
     if (d == 1) draw.map.width = 4097;
     if (d == 3) draw.map.levels = 6;
     expected |= check_draw(draw, kLegalLines) << (8 * d);
+    draw.format = static_cast<TextureFormat>(7);
     write(draw, d);
   }
-  for (const unsigned control : {0U, 64U, 128U, 192U}) {  // again, one after the other
-    bench_.write(control, 1U | 1U << 10 | 1U << 13);
-  }
+  EXPECT_EQ(bench_.wait_for_check(), 27U);  // the last one's
+  EXPECT_EQ(bench_.read(0x1002), expected | 0x08080808U);
+  const std::uint32_t control = 1U | 1U << 5 | 1U << 10 | 1U << 13;
+  for (const unsigned at : {0U, 64U, 128U, 192U}) bench_.write(at, control);
   bench_.wait_for_check();
   EXPECT_EQ(bench_.read(0x1002), expected);
   EXPECT_EQ(expected, 1U << 8 | 2U << 24);
   EXPECT_TRUE(bench_.dut.error_o);
+}
+
+TEST_F(UnitRegisters, AControlWrittenDuringItsOwnCheckIsLookedAtAnew) {
+  const std::uint32_t control = 1U | 1U << 5 | 1U << 10 | 1U << 13;
+  for (int after = 0; after < 30; ++after) {
+    check(legal(), kLegalLines);
+    bench_.write(0, control | 7U);
+    for (int n = 0; n < after; ++n) bench_.edge();
+    bench_.write(0, control);
+    bench_.wait_for_check();
+    ASSERT_EQ(bench_.read(0x1002), 0U) << after;
+    bench_.write(0, control);
+    for (int n = 0; n < after; ++n) bench_.edge();
+    bench_.write(0, control | 7U);
+    bench_.wait_for_check();
+    ASSERT_EQ(bench_.read(0x1002), 8U) << after;
+  }
 }
 
 TEST_F(UnitRegisters, ADrawThatWasNotWrittenIsNoError) {
