@@ -22,7 +22,8 @@ module ptm_unit_front #(
   input  logic                      invalidate_i,  // only while nothing is inside
   input  logic                      clear_i,
   output logic                      busy_o,
-  output logic [ptm_unit_pkg::Counters*64-1:0] counters_o,
+  input  logic [5:0]                counter_number_i,
+  output logic [63:0]               counter_o,
   // Fragments
   input  logic                      valid_i,
   output logic                      ready_o,
@@ -171,6 +172,6 @@ module ptm_unit_front #(
     .inc_multiplies_address_i(inc_address), .inc_multiplies_filter_i(inc_filter_i),
     .inc_multiplies_eval_i(inc_eval_i), .inc_multiplies_combine_i(inc_combine_i),
     .looked_i(looked), .hits_i(hits), .misses_i(misses), .duplicates_i(duplicates),
-    .color_i(looked_color), .draw_i(looked_draw), .counters_o(counters_o)
+    .color_i(looked_color), .draw_i(looked_draw), .number_i(counter_number_i), .value_o(counter_o)
   );
 endmodule

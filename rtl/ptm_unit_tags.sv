@@ -79,9 +79,16 @@ module ptm_unit_tags #(
     logic [Snoops*4*SetBits-1:0]  snoop_set;
     for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
       localparam int Other = Tmus == 1 ? 0 : s < t ? s : s + 1;
-      assign snoop[s*4 +: 4] = first_q && Tmus > 1 ? misses_o[Other*4 +: 4] : 4'd0;
-      assign snoop_line[s*4*LineBits +: 4*LineBits] = line[Other*4*LineBits +: 4*LineBits];
-      assign snoop_set[s*4*SetBits +: 4*SetBits]    = set_index[Other*4*SetBits +: 4*SetBits];
+      always_comb begin  // nothing moves, and nothing is simulated, in the many cycles without a miss
+        snoop[s*4 +: 4]                        = 4'd0;
+        snoop_line[s*4*LineBits +: 4*LineBits] = '0;
+        snoop_set[s*4*SetBits +: 4*SetBits]    = '0;
+        if (Tmus > 1 && first_q && misses_o[Other*4 +: 4] != 4'd0) begin
+          snoop[s*4 +: 4]                        = misses_o[Other*4 +: 4];
+          snoop_line[s*4*LineBits +: 4*LineBits] = line[Other*4*LineBits +: 4*LineBits];
+          snoop_set[s*4*SetBits +: 4*SetBits]    = set_index[Other*4*SetBits +: 4*SetBits];
+        end
+      end
       assign held[(t*Tmus + Other)*4 +: 4]          = snoop_held[s*4 +: 4];
     end
     if (Tmus > 1) begin : gen_self
