@@ -18,7 +18,8 @@ namespace ptm::pipeline {
 ///           MemoryTarget does) leaves the unit its cycles: the next request leaves before this one
 ///           is answered. One that answers by nb_transport_bw is waited for, so such requests do
 ///           not overlap.
-/// Faults    no response within `patience` of simulated time gives a delay of sc_max_time(); so does
+/// Faults    no response within `patience` of simulated time gives a delay of sc_max_time(); so
+/// does
 ///           every later request, which must not be sent while that one is open.
 class NbAdapter final : public sc_core::sc_module, private tlm::tlm_mm_interface {
  public:
