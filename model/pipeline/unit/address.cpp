@@ -15,23 +15,26 @@ void Address::reset() {
   fragments_ = {};
 }
 
-void Address::place(const DrawPlan& draw, const TexturePlan& texture, unsigned at, int level,
-                    Value u, Value v, bool second) {
+inline void Address::place(const DrawPlan& draw, const TexturePlan& texture, unsigned at, int level,
+                           Value u, Value v, bool second) {
   const auto t = static_cast<std::size_t>(texture.texture);
+  const FootprintSpan span =
+      span_footprint(draw.draw, texture.level[static_cast<std::size_t>(level)], u, v);
   FootprintTiles& tiles = tiles_[at][t];
-  const std::uint64_t before = tiles.key;
-  tiles = footprint_tiles(draw.draw, texture, level, u, v);
-  same_ = same_ && tiles.key == before;
-  split_ = split_ || tiles.split != 0;
+  if (tiles.key != span.key(level)) {
+    same_ = false;
+    tiles = span.tiles(level);
+  }
+  split_ = split_ || span.split() != 0;
   counters_.words += draw.words_of[t];
-  counters_.taps += draw.words_of[t] * tiles.tap_count;
+  counters_.taps += draw.words_of[t] * span.tap_count();
   const unsigned lerps = (draw.draw.bilinear ? 3U : 0U) + (second ? 1U : 0U);
   counters_.multiplies_filter += draw.filter_fields[t] * lerps;
 }
 
-void Address::gather_texture(const DrawPlan& draw, const TexturePlan& texture,
-                             const UnitFragment& fragment, int level, bool two_levels,
-                             bool fetches_second) {
+inline void Address::gather_texture(const DrawPlan& draw, const TexturePlan& texture,
+                                    const UnitFragment& fragment, int level, bool two_levels,
+                                    bool fetches_second) {
   const auto t = static_cast<std::size_t>(texture.texture);
   const int probes = 1 << fragment.probes_log2;
   unsigned at = 0;

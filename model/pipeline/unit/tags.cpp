@@ -15,8 +15,8 @@ void Tags::reset(bool keep_cache) {
 
 /// The distinct tiles of one texture's taps, in the order 00, 10, 01, 11 of the first that needs
 /// each.
-unsigned Tags::list_tiles(const UnitBeat& beat, const TexturePlan& texture,
-                          std::array<TilePlace, 4>& tiles) const {
+inline unsigned Tags::list_tiles(const UnitBeat& beat, const TexturePlan& texture,
+                                 std::array<TilePlace, 4>& tiles) const {
   const FootprintTiles& at = (*beat.tiles)[static_cast<std::size_t>(texture.texture)];
   const LevelPlan& level = texture.level[at.level];
   const auto planes = static_cast<std::uint32_t>(texture.planes);
@@ -61,6 +61,19 @@ bool Tags::elsewhere(std::size_t tmu, const LookUp& at) const {
   return false;
 }
 
+/// Hits that change nothing, the most common ones.
+bool Tags::all_used_last(const BeatPlan& plan, const std::array<unsigned, 2>& counts,
+                         const std::array<std::array<TilePlace, 4>, 2>& tiles) const {
+  for (std::size_t tmu = 0; tmu < plan.words; ++tmu) {
+    const WordPlan& word = plan.word[tmu];
+    for (unsigned n = 0; n < counts[word.texture]; ++n) {
+      const TilePlace& tile = tiles[word.texture][n];
+      if (!caches_[tmu].used_last(map_.row(tile, word.plane), tile.line + word.plane)) return false;
+    }
+  }
+  return true;
+}
+
 /// All look-ups of a beat on the state that the beat before left, then all changes.
 void Tags::look_up(UnitBeat& beat) {
   const BeatPlan& plan = *beat.plan;
@@ -70,6 +83,12 @@ void Tags::look_up(UnitBeat& beat) {
     const TexturePlan& texture = beat.draw->texture[n];
     const auto t = static_cast<std::size_t>(texture.texture);
     if (plan.words_of[t] != 0) tile_count[t] = list_tiles(beat, texture, tiles[t]);
+  }
+  if (all_used_last(plan, tile_count, tiles)) {
+    for (std::size_t t = 0; t < 2; ++t) {
+      counters_.hits[draw_of(beat)][t] += plan.words_of[t] * tile_count[t];
+    }
+    return;
   }
   unsigned ranks = 0;
   for (std::size_t tmu = 0; tmu < plan.words; ++tmu) {

@@ -65,6 +65,8 @@ class Tags final : public sc_core::sc_module {
                                     std::array<TilePlace, 4>& tiles) const;
   void look_up_word(const UnitBeat& beat, std::size_t tmu, std::uint32_t plane, unsigned count,
                     const std::array<TilePlace, 4>& tiles, std::size_t texture);
+  [[nodiscard]] bool all_used_last(const BeatPlan& plan, const std::array<unsigned, 2>& counts,
+                                   const std::array<std::array<TilePlace, 4>, 2>& tiles) const;
   [[nodiscard]] bool elsewhere(std::size_t tmu, const LookUp& at) const;
   [[nodiscard]] static std::size_t draw_of(const UnitBeat& beat) { return beat.fragment->draw; }
 

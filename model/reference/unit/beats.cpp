@@ -13,18 +13,24 @@ bool has_texture(const Draw& draw, int texture) {
 
 }  // namespace
 
+Value probe_coordinate(Value u, Value axis, int probe, int probes_log2) {
+  const Value steps = 2 * Value{probe} + 1 - (Value{1} << probes_log2);
+  return u + shift_right(steps * axis, Value{1});
+}
+
+LevelChoice choose_level(Mip mip, Value lod, int levels) {
+  if (mip == Mip::none) return {0, 0};
+  const Value last = Value{levels} - 1;
+  if (mip == Mip::nearest) return {static_cast<int>(smaller((lod + 128) >> 8, last)), 0};
+  const Value limited = smaller(lod, last << 8);
+  return {static_cast<int>(limited >> 8), static_cast<int>(limited & 255)};
+}
+
 LevelChoice choose_level(const Draw& draw, const UnitFragment& fragment, int texture) {
   if (!has_texture(draw, texture)) return {0, 0};
   if (texture == 0) return choose_level(draw.mip, fragment.lod, draw.map.levels);
   const Value lod = std::clamp<Value>(Value{fragment.lod} + draw.color_lod, 0, kLodMax);
   return choose_level(draw.mip, lod, draw.color_texture.levels);
-}
-
-Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped, int size) {
-  const TexelPosition<Value> at = texel_position(bilinear, wrapped, Value{size});
-  const auto index = static_cast<std::int32_t>(at.index);
-  return {neighbour(wrap, index, size), neighbour(wrap, index + 1, size),
-          static_cast<int>(at.weight)};
 }
 
 int footprint_count(const Draw& draw, const UnitFragment& fragment) {
@@ -59,16 +65,6 @@ Footprint make_footprint(const Draw& draw, const UnitFragment& fragment, int tex
   out.j1 = rows.i1;
   out.wv = rows.weight;
   return out;
-}
-
-TexelPlace place_of(const TextureLevels& texture, int planes, int level, int plane, std::int32_t i,
-                    std::int32_t j) {
-  const auto across = static_cast<std::uint32_t>((texture.level_width(level) + 3) >> 2);
-  const auto column = static_cast<std::uint32_t>(i), row = static_cast<std::uint32_t>(j);
-  const std::uint32_t tile = (row >> 2) * across + (column >> 2);
-  return {texture.base[static_cast<std::size_t>(level)] +
-              tile * static_cast<std::uint32_t>(planes) + static_cast<std::uint32_t>(plane),
-          (row & 3) * 4 + (column & 3)};
 }
 
 }  // namespace ptm::reference

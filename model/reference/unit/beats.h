@@ -34,34 +34,31 @@ struct LevelChoice {
 };
 
 /// U1, one direction. Twin: rtl's A0
-[[nodiscard]] inline Value probe_coordinate(Value u, Value axis, int probe, int probes_log2) {
-  const Value steps = 2 * Value{probe} + 1 - (Value{1} << probes_log2);
-  return u + shift_right(steps * axis, Value{1});
-}
+[[nodiscard]] Value probe_coordinate(Value u, Value axis, int probe, int probes_log2);
 /// U2, one texture. Requires lod in 0 .. 4095, levels in 1 .. 13.
-[[nodiscard]] inline LevelChoice choose_level(Mip mip, Value lod, int levels) {
-  if (mip == Mip::none) return {0, 0};
-  const Value last = Value{levels} - 1;
-  if (mip == Mip::nearest) return {static_cast<int>(smaller((lod + 128) >> 8, last)), 0};
-  const Value limited = smaller(lod, last << 8);
-  return {static_cast<int>(limited >> 8), static_cast<int>(limited & 255)};
-}
+[[nodiscard]] LevelChoice choose_level(Mip mip, Value lod, int levels);
 /// U2, texture 0 (map, by lod) or 1 (colour, by lod + color_lod); level 0 and weight 0 of a texture
 /// that the draw has not.
 [[nodiscard]] LevelChoice choose_level(const Draw& draw, const UnitFragment& fragment, int texture);
 
+/// U5: index in -1 .. size to 0 .. size - 1.
+[[nodiscard]] constexpr std::int32_t neighbour(Wrap wrap, std::int32_t index, int size) {
+  if (wrap != Wrap::repeat) return std::clamp(index, 0, size - 1);
+  if (index < 0) return size - 1;
+  return index < size ? index : 0;
+}
 /// U4 and U5, one direction: both indices and the weight between them. Point sampling has weight 0
 /// and a neighbour all the same, which is not fetched.
 struct Columns {
   std::int32_t i0 = 0, i1 = 0;
   int weight = 0;
 };
-[[nodiscard]] Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped, int size);
-/// U5: index in -1 .. size to 0 .. size - 1.
-[[nodiscard]] inline std::int32_t neighbour(Wrap wrap, std::int32_t index, int size) {
-  if (wrap != Wrap::repeat) return std::clamp(index, 0, size - 1);
-  if (index < 0) return size - 1;
-  return index < size ? index : 0;
+[[nodiscard]] constexpr Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped,
+                                                 int size) {
+  const TexelPosition<Value> at = texel_position(bilinear, wrapped, Value{size});
+  const auto index = static_cast<std::int32_t>(at.index);
+  return {neighbour(wrap, index, size), neighbour(wrap, index + 1, size),
+          static_cast<int>(at.weight)};
 }
 
 /// How many footprints a fragment has a probe: 1 or 2.
@@ -77,7 +74,14 @@ struct TexelPlace {
   unsigned word = 0;  ///< 0..15
   bool operator==(const TexelPlace&) const = default;
 };
-[[nodiscard]] TexelPlace place_of(const TextureLevels& texture, int planes, int level, int plane,
-                                  std::int32_t i, std::int32_t j);
+[[nodiscard]] constexpr TexelPlace place_of(const TextureLevels& texture, int planes, int level,
+                                            int plane, std::int32_t i, std::int32_t j) {
+  const auto across = static_cast<std::uint32_t>((texture.level_width(level) + 3) >> 2);
+  const auto column = static_cast<std::uint32_t>(i), row = static_cast<std::uint32_t>(j);
+  const std::uint32_t tile = (row >> 2) * across + (column >> 2);
+  return {texture.base[static_cast<std::size_t>(level)] +
+              tile * static_cast<std::uint32_t>(planes) + static_cast<std::uint32_t>(plane),
+          (row & 3) * 4 + (column & 3)};
+}
 
 }  // namespace ptm::reference
