@@ -33,19 +33,6 @@ LevelChoice choose_level(const Draw& draw, const UnitFragment& fragment, int tex
   return choose_level(draw.mip, lod, draw.color_texture.levels);
 }
 
-std::int32_t neighbour(Wrap wrap, std::int32_t index, int size) {
-  if (wrap != Wrap::repeat) return std::clamp(index, 0, size - 1);
-  if (index < 0) return size - 1;
-  return index < size ? index : 0;
-}
-
-Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped, int size) {
-  const TexelPosition<Value> at = texel_position(bilinear, wrapped, Value{size});
-  const auto index = static_cast<std::int32_t>(at.index);
-  return {neighbour(wrap, index, size), neighbour(wrap, index + 1, size),
-          static_cast<int>(at.weight)};
-}
-
 int footprint_count(const Draw& draw, const UnitFragment& fragment) {
   const bool two =
       choose_level(draw, fragment, 0).weight != 0 || choose_level(draw, fragment, 1).weight != 0;
@@ -78,16 +65,6 @@ Footprint make_footprint(const Draw& draw, const UnitFragment& fragment, int tex
   out.j1 = rows.i1;
   out.wv = rows.weight;
   return out;
-}
-
-TexelPlace place_of(const TextureLevels& texture, int planes, int level, int plane, std::int32_t i,
-                    std::int32_t j) {
-  const auto across = static_cast<std::uint32_t>((texture.level_width(level) + 3) >> 2);
-  const auto column = static_cast<std::uint32_t>(i), row = static_cast<std::uint32_t>(j);
-  const std::uint32_t tile = (row >> 2) * across + (column >> 2);
-  return {texture.base[static_cast<std::size_t>(level)] +
-              tile * static_cast<std::uint32_t>(planes) + static_cast<std::uint32_t>(plane),
-          (row & 3) * 4 + (column & 3)};
 }
 
 }  // namespace ptm::reference

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -40,15 +41,25 @@ struct LevelChoice {
 /// that the draw has not.
 [[nodiscard]] LevelChoice choose_level(const Draw& draw, const UnitFragment& fragment, int texture);
 
+/// U5: index in -1 .. size to 0 .. size - 1.
+[[nodiscard]] constexpr std::int32_t neighbour(Wrap wrap, std::int32_t index, int size) {
+  if (wrap != Wrap::repeat) return std::clamp(index, 0, size - 1);
+  if (index < 0) return size - 1;
+  return index < size ? index : 0;
+}
 /// U4 and U5, one direction: both indices and the weight between them. Point sampling has weight 0
 /// and a neighbour all the same, which is not fetched.
 struct Columns {
   std::int32_t i0 = 0, i1 = 0;
   int weight = 0;
 };
-[[nodiscard]] Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped, int size);
-/// U5: index in -1 .. size to 0 .. size - 1.
-[[nodiscard]] std::int32_t neighbour(Wrap wrap, std::int32_t index, int size);
+[[nodiscard]] constexpr Columns scale_coordinate(Wrap wrap, bool bilinear, Value wrapped,
+                                                 int size) {
+  const TexelPosition<Value> at = texel_position(bilinear, wrapped, Value{size});
+  const auto index = static_cast<std::int32_t>(at.index);
+  return {neighbour(wrap, index, size), neighbour(wrap, index + 1, size),
+          static_cast<int>(at.weight)};
+}
 
 /// How many footprints a fragment has a probe: 1 or 2.
 [[nodiscard]] int footprint_count(const Draw& draw, const UnitFragment& fragment);
@@ -63,7 +74,14 @@ struct TexelPlace {
   unsigned word = 0;  ///< 0..15
   bool operator==(const TexelPlace&) const = default;
 };
-[[nodiscard]] TexelPlace place_of(const TextureLevels& texture, int planes, int level, int plane,
-                                  std::int32_t i, std::int32_t j);
+[[nodiscard]] constexpr TexelPlace place_of(const TextureLevels& texture, int planes, int level,
+                                            int plane, std::int32_t i, std::int32_t j) {
+  const auto across = static_cast<std::uint32_t>((texture.level_width(level) + 3) >> 2);
+  const auto column = static_cast<std::uint32_t>(i), row = static_cast<std::uint32_t>(j);
+  const std::uint32_t tile = (row >> 2) * across + (column >> 2);
+  return {texture.base[static_cast<std::size_t>(level)] +
+              tile * static_cast<std::uint32_t>(planes) + static_cast<std::uint32_t>(plane),
+          (row & 3) * 4 + (column & 3)};
+}
 
 }  // namespace ptm::reference

@@ -22,8 +22,9 @@ struct TapPlaces {
 
 TapPlaces places(const TextureLevels& texture, int planes, const Footprint& footprint) {
   TapPlaces out;
+  const unsigned taps = footprint.taps();
   for (unsigned t = 0; t < kTaps; ++t) {
-    if ((footprint.taps() >> t & 1U) == 0) continue;
+    if ((taps >> t & 1U) == 0) continue;
     out.at[t] =
         place_of(texture, planes, footprint.level, 0, (t & 1U) != 0 ? footprint.i1 : footprint.i0,
                  (t & 2U) != 0 ? footprint.j1 : footprint.j0);
@@ -143,9 +144,10 @@ void add_probe(const Config& constant, const UnitState& state, const Draw& draw,
   const FieldRange range = fields_of(texture);
   const Footprint first = make_footprint(draw, fragment, texture, probe, 0);
   if (!first.fetched) return;
-  Fields one{}, two{};
+  Fields one{};
   filter_texture(constant, state, draw, texture, first, one);
   if (first.level_weight != 0) {
+    Fields two{};
     const Footprint second = make_footprint(draw, fragment, texture, probe, 1);
     filter_texture(constant, state, draw, texture, second, two);
     for (unsigned k = range.first; k < range.end; ++k) {
