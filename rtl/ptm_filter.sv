@@ -80,10 +80,11 @@ module ptm_filter #(
 
   // D: palette look-ups, a few taps a cycle. A taps_t has its four words below `fetched`.
   logic [2:0]   d_format;
-  logic [1:0]   d_palette, d_cycle_q;
+  logic [1:0]   d_palette;
   logic [3:0]   d_fetched;
   logic [127:0] d_words;
   logic         d_lrgb, d_rgb;  // TMU 0's word is an index into that palette
+  logic         p_ready, d_last, d_hold, load_p;
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_d_draw (
     .draws_i(draws_i), .draw_i(beat_i.draw), .format_o(d_format), .palette_o(d_palette),
@@ -91,47 +92,29 @@ module ptm_filter #(
   );
   /* verilator lint_on PINCONNECTEMPTY */
   assign {d_fetched, d_words} = taps_i[ptm_unit_pkg::TapsW-1:0];
-  assign d_lrgb = d_format == ptm_unit_pkg::FormatPaletteLrgb && beat_i.group == 3'd0;
-  assign d_rgb  = d_format == ptm_unit_pkg::FormatPaletteRgb && beat_i.group == 3'd0;
 
-  logic [4*10-1:0] lrgb_index;
-  logic [4*12-1:0] rgb_index;
-  for (genvar k = 0; k < 4; k++) begin : gen_index
-    assign lrgb_index[10*k +: 10] = {d_palette, d_words[32*k +: 8]};
-    assign rgb_index[12*k +: 12]  = d_words[32*k +: 12];
-  end
-
-  logic                           lrgb_last, rgb_last;
   logic [3:0]                     lrgb_now, rgb_now;
   logic [7:0]                     lrgb_port, rgb_port;
   logic [PaletteLrgbPorts*10-1:0] lrgb_read;
   logic [PaletteRgbPorts*12-1:0]  rgb_read;
-  ptm_palette_schedule #(.Ports(PaletteLrgbPorts), .IndexBits(10)) u_lrgb_schedule (
-    .fetched_i(d_fetched & {4{d_lrgb}}), .step_i(d_cycle_q), .index_i(lrgb_index),
-    .last_o(lrgb_last), .now_o(lrgb_now), .port_o(lrgb_port), .index_o(lrgb_read)
+  ptm_palette_control #(
+    .LrgbPorts(PaletteLrgbPorts), .RgbPorts(PaletteRgbPorts)
+  ) u_palette_control (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .leave_i(ready_o), .format_i(d_format),
+    .palette_i(d_palette), .group_i(beat_i.group), .fetched_i(d_fetched), .words_i(d_words),
+    .last_o(d_last), .taps_o(palette_taps_o), .lrgb_o(d_lrgb), .rgb_o(d_rgb),
+    .lrgb_now_o(lrgb_now), .lrgb_port_o(lrgb_port), .lrgb_read_o(lrgb_read),
+    .rgb_now_o(rgb_now), .rgb_port_o(rgb_port), .rgb_read_o(rgb_read)
   );
-  ptm_palette_schedule #(.Ports(PaletteRgbPorts), .IndexBits(12)) u_rgb_schedule (
-    .fetched_i(d_fetched & {4{d_rgb}}), .step_i(d_cycle_q), .index_i(rgb_index),
-    .last_o(rgb_last), .now_o(rgb_now), .port_o(rgb_port), .index_o(rgb_read)
-  );
-
-  logic p_ready, d_last, d_hold, load_p;
-  assign d_last   = lrgb_last && rgb_last;
   assign ready_o  = d_last && (!beat_i.sub_last || p_ready);
   assign d_hold   = valid_i && !(d_last && beat_i.sub_last);
   assign load_p_o = load_p;
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) d_cycle_q <= 2'd0;
-    else if (valid_i && (!d_last || ready_o)) d_cycle_q <= d_last ? 2'd0 : d_cycle_q + 2'd1;
-  end
-  assign palette_taps_o = d_lrgb || d_rgb ? 3'(d_fetched[0]) + 3'(d_fetched[1]) +
-                                            3'(d_fetched[2]) + 3'(d_fetched[3])
-                                          : 3'd0;
 
   // Registers: P L1 L2 L3 O
   logic l1_ready, l2_ready, l3_ready, o_ready, o_done;
   logic p_valid, l1_valid, l2_valid, l3_valid, o_valid;
   logic load_l1, load_l2, load_l3, load_o;
+  logic [1:0] pass_q;
   ptm_stream_reg u_p (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i && d_last && beat_i.sub_last),
     .ready_o(p_ready), .load_o(load_p), .valid_o(p_valid), .ready_i(l1_ready)
@@ -233,27 +216,27 @@ module ptm_filter #(
         .index_i(lrgb_read), .data_o(lrgb_data)
       );
     end else begin : gen_rgb_only
-      assign lrgb_data = '0;
+      assign lrgb_data = '0;  // never chosen
     end
     for (genvar k = 0; k < 4; k++) begin : gen_tap
       logic [WordW-1:0] rgb_entry, lrgb_entry;
-      ptm_port_select #(.Ports(PaletteRgbPorts), .Width(WordW)) u_rgb_port (
+      ptm_port_select #(.Ports(PaletteRgbPorts), .Width(WordW), .Tap(k)) u_rgb_port (
         .data_i(rgb_data), .port_i(rgb_port[2*k +: 2]), .data_o(rgb_entry)
       );
-      ptm_port_select #(.Ports(PaletteLrgbPorts), .Width(WordW)) u_lrgb_port (
+      ptm_port_select #(.Ports(PaletteLrgbPorts), .Width(WordW), .Tap(k)) u_lrgb_port (
         .data_i(lrgb_data), .port_i(lrgb_port[2*k +: 2]), .data_o(lrgb_entry)
       );
       ptm_tap_hold #(.Width(WordW)) u_hold (
         .clk_i(clk_i), .now_i(rgb_now[k] || lrgb_now[k]), .hold_i(d_hold),
-        .load_p_i(load_p && (d_rgb || d_lrgb)), .data_i(d_rgb ? rgb_entry : lrgb_entry),
+        .load_p_i(load_p && (d_rgb || d_lrgb)), .data_i(w >= 2 || d_rgb ? rgb_entry : lrgb_entry),
         .p_o(p_entry[4*w+k])
       );
     end
   end
 
   // U7, P to L2
-  logic              p_lrgb, p_rgb;  // palettised
-  logic [ValueW-1:0] l2 [Lanes];
+  logic                    p_lrgb, p_rgb;  // palettised
+  logic [Lanes*ValueW-1:0] l2;
   assign p_lrgb = p_step_q.format == ptm_unit_pkg::FormatPaletteLrgb && p_step_q.group == 3'd0;
   assign p_rgb  = p_step_q.format == ptm_unit_pkg::FormatPaletteRgb && p_step_q.group == 3'd0;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
@@ -265,6 +248,11 @@ module ptm_filter #(
     assign l1_color = brings_color(l1_step_q.format, l1_step_q.group, t);
     assign wu       = p_color ? p_color_wu_q : p_map_wu_q;
     assign wv       = l1_color ? l1_color_wv_q : l1_map_wv_q;
+    // Lanes of a palette's fields stand still for other words.
+    logic l1_lrgb, l1_rgb;
+    assign l1_lrgb = l1_step_q.format == ptm_unit_pkg::FormatPaletteLrgb &&
+                     l1_step_q.group == 3'd0;
+    assign l1_rgb  = l1_step_q.format == ptm_unit_pkg::FormatPaletteRgb && l1_step_q.group == 3'd0;
     for (genvar i = 0; i < (t == 0 ? Lanes0 : 4); i++) begin : gen_lane
       logic [ValueW-1:0] tap [4];
       for (genvar k = 0; k < 4; k++) begin : gen_tap
@@ -276,19 +264,18 @@ module ptm_filter #(
         );
       end
       ptm_filter_lane #(.Width(ValueW), .RoundNearest(RoundNearest)) u_lane (
-        .clk_i(clk_i), .load_l1_i(load_l1), .load_l2_i(load_l2), .t00_i(tap[0]), .t10_i(tap[1]),
-        .t01_i(tap[2]), .t11_i(tap[3]), .wu_i(wu), .wv_i(wv), .l2_o(l2[lane(t, i)])
+        .clk_i(clk_i), .load_l1_i(load_l1 && (i < 4 || p_rgb || (p_lrgb && i < 9))),
+        .load_l2_i(load_l2 && (i < 4 || l1_rgb || (l1_lrgb && i < 9))), .t00_i(tap[0]),
+        .t10_i(tap[1]), .t01_i(tap[2]), .t11_i(tap[3]), .wu_i(wu), .wv_i(wv),
+        .l2_o(l2[ValueW*lane(t, i) +: ValueW])
       );
     end
   end
 
   // U8 to U10, L2 to O
-  logic              leave_l3, l3_none, l3_lrgb;
-  logic [6*12-1:0]   l3_bias;
-  logic [ValueW-1:0] field [ptm_unit_pkg::Fields];
+  logic            leave_l3;
+  logic [6*12-1:0] l3_bias;
   assign leave_l3 = l3_valid && (!l3_step_q.last || o_ready);
-  assign l3_none  = l3_step_q.format == ptm_unit_pkg::FormatNone;
-  assign l3_lrgb  = l3_step_q.format == ptm_unit_pkg::FormatLrgb;
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_l3_draw (
     .draws_i(draws_i), .draw_i(l3_step_q.draw), .bias_o(l3_bias),
@@ -296,69 +283,18 @@ module ptm_filter #(
     .kd_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
-
-  logic l2_lrgb, l2_rgb, l2_lrgb_index, l2_rgb_index;
-  assign l2_lrgb       = l2_step_q.format == ptm_unit_pkg::FormatLrgb;
-  assign l2_rgb        = l2_step_q.format == ptm_unit_pkg::FormatRgb;
-  assign l2_lrgb_index = l2_step_q.format == ptm_unit_pkg::FormatPaletteLrgb &&
-                         l2_step_q.group == 3'd0;
-  assign l2_rgb_index  = l2_step_q.format == ptm_unit_pkg::FormatPaletteRgb &&
-                         l2_step_q.group == 3'd0;
-  for (genvar n = 0; n < ptm_unit_pkg::Fields; n++) begin : gen_field
-    logic              here, replace;
-    logic [ValueW-1:0] value, replacement;
-    if (n < 18) begin : gen_coef
-      localparam int Word = n / 3;
-      localparam int Tmu  = Word % Tmus;
-      logic indexed;
-      assign indexed = (l2_lrgb_index && n < 6) || l2_rgb_index;
-      assign value   = indexed ? l2[n] : l2[lane(Tmu, n % 3)];
-      assign here    = indexed ||
-                       ((l2_rgb || (l2_lrgb && n < 6)) && brings(l2_step_q.group, Word, Tmu));
-      assign replace     = !l3_step_q.lit || l3_none;
-      assign replacement = l3_none ? '0 : ValueW'(l3_bias[12*(n%6) +: CoefBits]) << FilterFrac;
-    end else if (n < 22) begin : gen_color
-      localparam int Tmu = LrgbColor % Tmus;
-      assign value = l2_lrgb_index && n < 21 ? l2[n-12] : l2[lane(Tmu, n - 18)];
-      assign here  = (l2_lrgb_index && n < 21) ||
-                     (l2_lrgb && brings(l2_step_q.group, LrgbColor, Tmu));
-      if (n == 21) begin : gen_alpha
-        assign replace     = !l3_lrgb;
-        assign replacement = ValueW'(255) << FilterFrac;
-      end else begin : gen_rgb
-        assign replace     = l3_none;
-        assign replacement = '0;
-      end
-    end else begin : gen_texture
-      always_comb begin
-        case (l2_step_q.format)
-          ptm_unit_pkg::FormatNone: value = l2[lane(0, n - 22)];
-          ptm_unit_pkg::FormatLrgb: value = l2[lane(3 % Tmus, n - 22)];
-          ptm_unit_pkg::FormatRgb:  value = l2[lane(6 % Tmus, n - 22)];
-          default:                  value = l2[lane(1 % Tmus, n - 22)];
-        endcase
-      end
-      assign here        = l2_color;
-      assign replace     = 1'b0;
-      assign replacement = '0;
-    end
-    ptm_filter_field #(.Width(ValueW), .RoundNearest(RoundNearest)) u_field (
-      .clk_i(clk_i), .load_l3_i(load_l3), .here_i(here), .second_i(l2_step_q.second),
-      .f_i(n < 22 ? l2_step_q.map_f : l2_step_q.color_f), .value_i(value),
-      .leave_l3_i(leave_l3), .first_probe_i(l3_step_q.first_probe),
-      .probes_log2_i(l3_step_q.probes_log2), .load_o_i(load_o), .replace_i(replace),
-      .replacement_i(replacement), .field_o(field[n])
-    );
-  end
-  logic [Tmus-1:0] l2_colors;
-  logic            l2_color;
-  for (genvar t = 0; t < Tmus; t++) begin : gen_l2_color
-    assign l2_colors[t] = brings_color(l2_step_q.format, l2_step_q.group, t);
-  end
-  assign l2_color = l2_colors != '0;
+  ptm_filter_fields #(
+    .CoefBits(CoefBits), .RoundNearest(RoundNearest), .FilterFrac(FilterFrac), .Tmus(Tmus)
+  ) u_fields (
+    .clk_i(clk_i), .load_l3_i(load_l3), .l2_i(l2), .l2_format_i(l2_step_q.format),
+    .l2_group_i(l2_step_q.group), .l2_second_i(l2_step_q.second), .l2_map_f_i(l2_step_q.map_f),
+    .l2_color_f_i(l2_step_q.color_f), .leave_l3_i(leave_l3), .l3_format_i(l3_step_q.format),
+    .l3_first_probe_i(l3_step_q.first_probe), .l3_probes_log2_i(l3_step_q.probes_log2),
+    .l3_lit_i(l3_step_q.lit), .l3_bias_i(l3_bias), .load_o_i(load_o), .pass_i(pass_q),
+    .coef_o(coef_o), .rgb_o(rgb_o), .map_alpha_o(map_alpha_o), .color_o(color_o)
+  );
 
   // O: one pass a cycle
-  logic [1:0]      pass_q;
   logic            o_none;
   logic [6*12-1:0] o_bias;
   logic [6*ptm_pkg::ShiftBits-1:0] o_shift;
@@ -379,32 +315,13 @@ module ptm_filter #(
     .format_o(), .bilinear_o(), .color_o(), .palette_o(), .combine_o(), .ka_o(), .kd_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
-  for (genvar i = 0; i < 6; i++) begin : gen_operand
-    assign coef_o[StoredW*i +: StoredW]  = pass_q == 2'd0 ? field[i][StoredW-1:0] :
-                                           pass_q == 2'd1 ? field[6+i][StoredW-1:0] :
-                                                            field[12+i][StoredW-1:0];
+  for (genvar i = 0; i < 6; i++) begin : gen_bias
     assign bias_o[CoefBits*i +: CoefBits] = o_none ? '0 : o_bias[12*i +: CoefBits];
   end
   assign shift_o = o_none ? '0 : o_shift;
-  assign rgb_o   = {field[20][RgbW-1:0], field[19][RgbW-1:0], field[18][RgbW-1:0]};
   assign lu_o    = o_spot_q.lu;
   assign lv_o    = o_spot_q.lv;
   assign x_o     = o_spot_q.x;
   assign y_o     = o_spot_q.y;
   assign draw_o  = o_step_q.draw;
-
-  // narrow(., FilterFrac) of what the evaluator does not see
-  for (genvar n = 21; n < ptm_unit_pkg::Fields; n++) begin : gen_byte
-    logic signed [ValueW:0] narrowed;
-    ptm_narrow #(
-      .InBits(ValueW + 1), .AmountBits(3), .OutBits(ValueW + 1), .RoundNearest(RoundNearest)
-    ) u_narrow (
-      .x_i({1'b0, field[n]}), .amount_i(3'(FilterFrac)), .y_o(narrowed)
-    );
-    if (n == 21) begin : gen_map
-      assign map_alpha_o = narrowed[7:0];
-    end else begin : gen_color
-      assign color_o[8*(n-22) +: 8] = narrowed[7:0];
-    end
-  end
 endmodule

@@ -47,11 +47,11 @@ module ptm_filter_field #(
 
   always_ff @(posedge clk_i) begin
     if (load_l3_i) begin
-      l3_value_q <= second_i ? mixed : value_i;
-      l3_adds_q  <= here_i && second_i == (f_i != 8'd0);
+      l3_adds_q <= here_i && second_i == (f_i != 8'd0);
+      if (here_i) l3_value_q <= second_i ? mixed : value_i;
       if (here_i && !second_i) first_q <= value_i;
     end
-    if (leave_l3_i) sum_q <= sum;
+    if (leave_l3_i && l3_adds_q) sum_q <= sum;
     if (load_o_i) o_q <= replace_i ? replacement_i : mean[Width-1:0];
   end
   assign field_o = o_q;

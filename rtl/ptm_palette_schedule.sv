@@ -14,10 +14,8 @@ module ptm_palette_schedule #(
   output logic                       last_o,   // step k is the last
   output logic [3:0]                 now_o,    // taps that are looked up in this step
   output logic [7:0]                 port_o,   // 2 bits a tap: by which port
-  output logic [Ports*IndexBits-1:0] index_o   // a port; 0 where it has nothing to do
+  output logic [Ports*IndexBits-1:0] index_o   // a port; anything where it has nothing to do
 );
-  localparam int Log2 = $clog2(Ports);
-
   // Fetched taps before tap t, and all of them
   logic [2:0] count;
   logic [1:0] rank1, rank2, rank3;
@@ -26,27 +24,36 @@ module ptm_palette_schedule #(
   assign rank3 = rank2 + {1'b0, fetched_i[2]};
   assign count = {1'b0, rank3} + {2'b0, fetched_i[3]};
 
-  logic [7:0] rank;
-  assign rank = {rank3, rank2, rank1, 2'd0};
-  for (genvar t = 0; t < 4; t++) begin : gen_tap
-    logic [1:0] own;
-    assign own               = rank[2*t +: 2];
-    assign now_o[t]          = fetched_i[t] && own >> Log2 == step_i;
-    assign port_o[2*t +: 2]  = own & 2'(Ports - 1);
-  end
-  // The fewest taps for which another step is needed
-  logic [4:0] more;
-  assign more   = (5'(step_i) + 5'd1) << Log2;
-  assign last_o = 5'(count) <= more;
-
-  for (genvar p = 0; p < Ports; p++) begin : gen_port
-    logic [IndexBits-1:0] index;
-    always_comb begin
-      index = '0;
-      for (int t = 0; t < 4; t++) begin
-        if (now_o[t] && port_o[2*t +: 2] == 2'(p)) index = index_i[t*IndexBits +: IndexBits];
-      end
+  if (Ports == 4) begin : gen_all
+    // A port of its own for each tap
+    assign last_o  = 1'b1;
+    assign now_o   = fetched_i;
+    assign port_o  = {2'd3, 2'd2, 2'd1, 2'd0};
+    assign index_o = index_i;
+    logic unused;
+    assign unused = ^{count, step_i};
+  end else begin : gen_some
+    localparam int Log2 = $clog2(Ports);
+    logic [7:0] rank;
+    logic [4:0] more;  // the fewest taps for which another step is needed, less one
+    assign rank   = {rank3, rank2, rank1, 2'd0};
+    assign more   = (5'(step_i) + 5'd1) << Log2;
+    assign last_o = 5'(count) <= more;
+    for (genvar t = 0; t < 4; t++) begin : gen_tap
+      assign now_o[t]         = fetched_i[t] && rank[2*t +: 2] >> Log2 == step_i;
+      assign port_o[2*t +: 2] = rank[2*t +: 2] & 2'(Ports - 1);
     end
-    assign index_o[p*IndexBits +: IndexBits] = index;
+    for (genvar p = 0; p < Ports; p++) begin : gen_port
+      logic [IndexBits-1:0] index;
+      always_comb begin
+        index = '0;
+        if (fetched_i != '0) begin
+          for (int t = 0; t < 4; t++) begin
+            if (now_o[t] && port_o[2*t +: 2] == 2'(p)) index = index_i[t*IndexBits +: IndexBits];
+          end
+        end
+      end
+      assign index_o[p*IndexBits +: IndexBits] = index;
+    end
   end
 endmodule

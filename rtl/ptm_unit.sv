@@ -75,7 +75,8 @@ module ptm_unit #(
 );
   // Registers
   logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws;
-  logic [ptm_unit_pkg::Counters*64-1:0]               counters;
+  logic [5:0]  counter_number;
+  logic [63:0] counter;
   logic        error, checking, busy, invalidate, clear, mem_error;
   logic        pal_lrgb_we, pal_rgb_we;
   logic [10:0] pal_lrgb_addr;
@@ -85,7 +86,8 @@ module ptm_unit #(
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .error_o(error),
     .checking_o(checking), .busy_i(busy), .invalidate_o(invalidate), .clear_o(clear),
-    .mem_error_i(mem_error), .mem_error_tag_i(mem_rsp_tag_i), .counters_i(counters),
+    .mem_error_i(mem_error), .mem_error_tag_i(mem_rsp_tag_i), .counter_number_o(counter_number), .counter_i(counter),
+   
     .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
     .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
   );
@@ -123,7 +125,8 @@ module ptm_unit #(
     .MissFifo(MissFifo)
   ) u_front (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .invalidate_i(invalidate), .clear_i(clear),
-    .busy_o(busy), .counters_o(counters), .valid_i(frag_valid_i && open), .ready_o(front_ready),
+    .busy_o(busy), .counter_number_i(counter_number), .counter_o(counter),
+    .valid_i(frag_valid_i && open), .ready_o(front_ready),
     .fragment_i(fragment), .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
     .mem_req_line_o(mem_req_line_o), .mem_req_tag_o(mem_req_tag_o),
     .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_tag_i(mem_rsp_tag_i),

@@ -5,9 +5,7 @@
 // Timing: docs/spec/unit-timing.md, Address; values: docs/spec/unit.md, U1 to U6. All multiplies of
 // a beat's address are here: two in U1, four in U4 and four in U6 (two textures).
 module ptm_unit_address #(
-  parameter int Tmus = 3,
-  parameter int Sets = 32,  // of a tag bank
-  localparam int LookupW = ptm_unit_front_pkg::LookupW
+  parameter int Tmus = 3
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
@@ -19,7 +17,17 @@ module ptm_unit_address #(
   output logic                      valid_o,
   input  logic                      ready_i,
   output ptm_unit_pkg::beat_t       beat_o,
-  output logic [Tmus*LookupW-1:0]   lookup_o,  // lookup_t, TMU 0 lowest
+  output ptm_unit_front_pkg::texels_t       map_texels_o,
+  output ptm_unit_front_pkg::row_lines_t    map_row_lines_o,
+  output ptm_unit_front_pkg::column_lines_t map_column_lines_o,
+  output ptm_unit_front_pkg::texels_t       color_texels_o,
+  output ptm_unit_front_pkg::row_lines_t    color_row_lines_o,
+  output ptm_unit_front_pkg::column_lines_t color_column_lines_o,
+  output logic [3:0]                taps_o,     // of the sub-beat
+  // By TMU: what its word is
+  output logic [Tmus-1:0]           fetched_o,  // it has one, and its texture has taps
+  output logic [Tmus-1:0]           color_o,    // of the colour texture
+  output logic [3*Tmus-1:0]         plane_o,
   // Counters' increments
   output logic                      inc_conflicts_o,
   output logic [1:0]                inc_words_o,
@@ -33,7 +41,7 @@ module ptm_unit_address #(
   logic [1:0]          a0_wrap_u, a0_wrap_v;
   logic                a0_bilinear, a0_color;
   logic [2:0]          a0_planes;
-  ptm_unit_front_pkg::level_t a0_map, a0_color_level;
+  ptm_unit_front_pkg::level_t a0_map, a0_colors;
   ptm_unit_beats #(
     .Tmus(Tmus)
   ) u_beats (
@@ -41,7 +49,7 @@ module ptm_unit_address #(
     .fragment_i(fragment_i), .valid_o(a0_valid), .ready_i(a0_ready), .beat_o(a0_beat),
     .u_o(a0_u), .v_o(a0_v), .wrap_u_o(a0_wrap_u), .wrap_v_o(a0_wrap_v), .bilinear_o(a0_bilinear),
     .planes_o(a0_planes), .color_o(a0_color), .map_o(a0_map),
-    .color_level_o(a0_color_level)
+    .colors_o(a0_colors)
   );
 
   // A1
@@ -51,7 +59,7 @@ module ptm_unit_address #(
   logic [1:0]          a1_wrap_u_q, a1_wrap_v_q;
   logic                a1_bilinear_q, a1_color_q;
   logic [2:0]          a1_planes_q;
-  ptm_unit_front_pkg::level_t a1_map_q, a1_color_level_q;
+  ptm_unit_front_pkg::level_t a1_map_q, a1_colors_q;
   ptm_stream_reg u_a1 (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(a0_valid), .ready_o(a0_ready), .load_o(a1_load),
     .valid_o(a1_valid), .ready_i(a1_ready)
@@ -67,7 +75,7 @@ module ptm_unit_address #(
       a1_planes_q   <= a0_planes;
       a1_color_q    <= a0_color;
       a1_map_q      <= a0_map;
-      a1_color_level_q <= a0_color_level;
+      a1_colors_q   <= a0_colors;
     end
   end
 
@@ -80,7 +88,7 @@ module ptm_unit_address #(
   ptm_unit_pkg::beat_t a2_beat_q;
   logic                a2_repeat_u_q, a2_repeat_v_q, a2_bilinear_q, a2_color_q;
   logic [2:0]          a2_planes_q;
-  ptm_unit_front_pkg::level_t a2_map_q, a2_color_level_q;
+  ptm_unit_front_pkg::level_t a2_map_q, a2_colors_q;
   logic [31:0]         a2_map_u_q, a2_map_v_q, a2_color_u_q, a2_color_v_q;  // products
   ptm_stream_reg u_a2 (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(a1_valid), .ready_o(a1_ready), .load_o(a2_load),
@@ -95,26 +103,30 @@ module ptm_unit_address #(
       a2_planes_q    <= a1_planes_q;
       a2_color_q     <= a1_color_q;
       a2_map_q       <= a1_map_q;
-      a2_color_level_q <= a1_color_level_q;
+      a2_colors_q    <= a1_colors_q;
       a2_map_u_q     <= 32'(fu) * 32'(a1_map_q.width);
       a2_map_v_q     <= 32'(fv) * 32'(a1_map_q.height);
-      a2_color_u_q   <= 32'(fu) * 32'(a1_color_level_q.width);
-      a2_color_v_q   <= 32'(fv) * 32'(a1_color_level_q.height);
+      a2_color_u_q   <= 32'(fu) * 32'(a1_colors_q.width);
+      a2_color_v_q   <= 32'(fv) * 32'(a1_colors_q.height);
     end
   end
 
   // U4, U5, U6 | A3
   logic [7:0]                  map_wu, map_wv, color_wu, color_wv;
-  ptm_unit_front_pkg::texels_t texels_map, texels_color;
+  ptm_unit_front_pkg::texels_t       map_texels, color_texels;
+  ptm_unit_front_pkg::row_lines_t    map_row_lines, color_row_lines;
+  ptm_unit_front_pkg::column_lines_t map_column_lines, color_column_lines;
   ptm_unit_tiles u_tiles_map (
     .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q), .repeat_v_i(a2_repeat_v_q),
     .product_u_i(a2_map_u_q), .product_v_i(a2_map_v_q), .level_i(a2_map_q),
-    .planes_i(a2_planes_q), .wu_o(map_wu), .wv_o(map_wv), .texels_o(texels_map)
+    .planes_i(a2_planes_q), .wu_o(map_wu), .wv_o(map_wv), .texels_o(map_texels),
+    .row_lines_o(map_row_lines), .column_lines_o(map_column_lines)
   );
   ptm_unit_tiles u_tiles_color (
     .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q), .repeat_v_i(a2_repeat_v_q),
-    .product_u_i(a2_color_u_q), .product_v_i(a2_color_v_q), .level_i(a2_color_level_q),
-    .planes_i(3'd1), .wu_o(color_wu), .wv_o(color_wv), .texels_o(texels_color)
+    .product_u_i(a2_color_u_q), .product_v_i(a2_color_v_q), .level_i(a2_colors_q),
+    .planes_i(3'd1), .wu_o(color_wu), .wv_o(color_wv), .texels_o(color_texels),
+    .row_lines_o(color_row_lines), .column_lines_o(color_column_lines)
   );
   ptm_unit_pkg::beat_t weighted;
   always_comb begin
@@ -129,27 +141,40 @@ module ptm_unit_address #(
   ptm_unit_pkg::beat_t         a3_beat_q;
   logic                        a3_color_q;
   logic [2:0]                  a3_planes_q;
-  ptm_unit_front_pkg::texels_t a3_map_q, a3_color_texels_q;
+  ptm_unit_front_pkg::texels_t       a3_map_texels_q, a3_color_texels_q;
+  ptm_unit_front_pkg::row_lines_t    a3_map_row_lines_q, a3_color_row_lines_q;
+  ptm_unit_front_pkg::column_lines_t a3_map_column_lines_q, a3_color_column_lines_q;
   ptm_stream_reg u_a3 (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(a2_valid), .ready_o(a2_ready), .load_o(a3_load),
     .valid_o(valid_o), .ready_i(a3_ready)
   );
   always_ff @(posedge clk_i) begin
     if (a3_load) begin
-      a3_beat_q         <= weighted;
-      a3_planes_q       <= a2_planes_q;
-      a3_color_q        <= a2_color_q;
-      a3_map_q          <= texels_map;
-      a3_color_texels_q <= texels_color;
+      a3_beat_q               <= weighted;
+      a3_planes_q             <= a2_planes_q;
+      a3_color_q              <= a2_color_q;
+      a3_map_texels_q         <= map_texels;
+      a3_map_row_lines_q      <= map_row_lines;
+      a3_map_column_lines_q   <= map_column_lines;
+      a3_color_texels_q       <= color_texels;
+      a3_color_row_lines_q    <= color_row_lines;
+      a3_color_column_lines_q <= color_column_lines;
     end
   end
+  assign map_texels_o         = a3_map_texels_q;
+  assign map_row_lines_o      = a3_map_row_lines_q;
+  assign map_column_lines_o   = a3_map_column_lines_q;
+  assign color_texels_o       = a3_color_texels_q;
+  assign color_row_lines_o    = a3_color_row_lines_q;
+  assign color_column_lines_o = a3_color_column_lines_q;
 
   ptm_unit_split #(
-    .Tmus(Tmus), .Sets(Sets)
+    .Tmus(Tmus)
   ) u_split (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_o), .ready_o(a3_ready), .beat_i(a3_beat_q),
-    .planes_i(a3_planes_q), .color_i(a3_color_q), .map_i(a3_map_q),
-    .color_texels_i(a3_color_texels_q), .ready_i(ready_i), .beat_o(beat_o), .lookup_o(lookup_o),
+    .planes_i(a3_planes_q), .color_i(a3_color_q), .map_i(a3_map_texels_q),
+    .color_texels_i(a3_color_texels_q), .ready_i(ready_i), .beat_o(beat_o), .taps_o(taps_o),
+    .fetched_o(fetched_o), .color_o(color_o), .plane_o(plane_o),
     .inc_conflicts_o(inc_conflicts_o), .inc_words_o(inc_words_o), .inc_taps_o(inc_taps_o),
     .inc_multiplies_o(inc_multiplies_o)
   );

@@ -23,7 +23,6 @@ module ptm_unit_beat_fifo #(
 
   localparam int BeatW = ptm_unit_pkg::BeatW;
   logic [BeatW-1:0]       beat_q [Depth];
-  logic [Tmus*ReadsW-1:0] reads_q [Depth];
   logic [PlaceBits-1:0] write_q, read_q;
   logic [CountBits-1:0] count_q;
 
@@ -33,14 +32,13 @@ module ptm_unit_beat_fifo #(
   assign push    = valid_i && ready_o;
   assign pop     = valid_o && ready_i;
   assign beat_o  = beat_q[read_q];
-  assign reads_o = reads_q[read_q];
-
-  always_ff @(posedge clk_i) begin
-    if (push) begin
-      beat_q[write_q]  <= beat_i;
-      reads_q[write_q] <= reads_i;
-    end
+  always_ff @(posedge clk_i) if (push) beat_q[write_q] <= beat_i;
+  for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
+    logic [ReadsW-1:0] reads_q [Depth];
+    always_ff @(posedge clk_i) if (push) reads_q[write_q] <= reads_i[t*ReadsW +: ReadsW];
+    assign reads_o[t*ReadsW +: ReadsW] = reads_q[read_q];
   end
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       write_q <= '0;

@@ -26,7 +26,7 @@ module ptm_unit_beats #(
   output logic [2:0]                planes_o,    // of the map: 0, 1, 3, 6
   output logic                      color_o,     // the draw has a colour texture
   output ptm_unit_front_pkg::level_t map_o,      // of the footprint
-  output ptm_unit_front_pkg::level_t color_level_o
+  output ptm_unit_front_pkg::level_t colors_o
 );
   logic                    load;
   logic                    last;
@@ -69,7 +69,7 @@ module ptm_unit_beats #(
   ptm_unit_footprint u_color (
     .texture_i(draw.color_texture), .has_i(draw.color), .mip_i(draw.mip), .lod_i(color_lod),
     .second_i(second_q), .weight_o(weight_color), .fetched_o(fetched_color),
-    .level_o(color_level_o)
+    .level_o(colors_o)
   );
   logic two_footprints;
   assign two_footprints = weight_map != 8'd0 || weight_color != 8'd0;

@@ -1,7 +1,8 @@
 // The unit's counters: docs/spec/unit-timing.md, Counters, numbers 0 to 36.
 //
 // Cycles count from the first fragment accepted; those in which nothing is inside are added, as
-// `input_empty`, when the next fragment is accepted. An increment counts in its cycle.
+// `input_empty`, when the next fragment is accepted. An increment counts in its cycle
+// (but not in the first after reset).
 module ptm_unit_counters #(
   parameter int Tmus = 3,
   localparam int Counters = ptm_unit_pkg::Counters
@@ -35,7 +36,8 @@ module ptm_unit_counters #(
   input  logic [Tmus*4-1:0]                 duplicates_i,
   input  logic [Tmus-1:0]                   color_i,
   input  logic [ptm_unit_pkg::DrawBits-1:0] draw_i,
-  output logic [Counters*64-1:0]            counters_o  // counter 0 lowest
+  input  logic [5:0]                        number_i,
+  output logic [63:0]                       value_o  // of that counter, 0 if there is none
 );
   localparam int Wide = 8;  // of an increment
 
@@ -123,22 +125,21 @@ module ptm_unit_counters #(
     assign step[(21+4*d+3)*Wide +: Wide]  = here ? Wide'(misses_color) : '0;
   end
 
-  // A register a counter: only those that move are written
-  for (genvar n = 0; n < Counters; n++) begin : gen_counter
-    logic [63:0] count_q;
-    if (n == 2 || n == 7) begin : gen_cycles  // with the idle time before
-      always_ff @(posedge clk_i or negedge rst_ni) begin
-        if (!rst_ni) count_q <= '0;
-        else if (clear_i) count_q <= '0;
-        else if (step[n*Wide +: Wide] != '0) count_q <= count_q + 64'(step[n*Wide +: Wide]) + idle_q;
-      end
-    end else begin : gen_plain
-      always_ff @(posedge clk_i or negedge rst_ni) begin
-        if (!rst_ni) count_q <= '0;
-        else if (clear_i) count_q <= '0;
-        else if (step[n*Wide +: Wide] != '0) count_q <= count_q + 64'(step[n*Wide +: Wide]);
-      end
-    end
-    assign counters_o[n*64 +: 64] = count_q;
+  // Only those that move are written. The cycles bring the idle time before them. What stands in
+  // them after reset is cleared in the cycle after it.
+  logic fresh_q, clear;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) fresh_q <= 1'b1;
+    else fresh_q <= 1'b0;
   end
+  assign clear = clear_i || fresh_q;
+  logic [63:0] count_q [Counters];
+  for (genvar n = 0; n < Counters; n++) begin : gen_counter
+    logic [63:0] sum;
+    assign sum = count_q[n] + 64'(step[n*Wide +: Wide]) + (n == 2 || n == 7 ? idle_q : 64'd0);
+    always_ff @(posedge clk_i) begin
+      if (clear || step[n*Wide +: Wide] != '0) count_q[n] <= clear ? 64'd0 : sum;
+    end
+  end
+  assign value_o = number_i < 6'(Counters) ? count_q[number_i] : 64'd0;
 endmodule

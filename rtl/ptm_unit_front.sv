@@ -22,7 +22,8 @@ module ptm_unit_front #(
   input  logic                      invalidate_i,  // only while nothing is inside
   input  logic                      clear_i,
   output logic                      busy_o,
-  output logic [ptm_unit_pkg::Counters*64-1:0] counters_o,
+  input  logic [5:0]                counter_number_i,
+  output logic [63:0]               counter_o,
   // Fragments
   input  logic                      valid_i,
   output logic                      ready_o,
@@ -62,16 +63,25 @@ module ptm_unit_front #(
   // A0 to A3
   logic                a_valid, a_ready;
   ptm_unit_pkg::beat_t a_beat;
-  logic [Tmus*ptm_unit_front_pkg::LookupW-1:0] a_lookup;
+  ptm_unit_front_pkg::texels_t       a_map_texels, a_color_texels;
+  ptm_unit_front_pkg::row_lines_t    a_map_row_lines, a_color_row_lines;
+  ptm_unit_front_pkg::column_lines_t a_map_column_lines, a_color_column_lines;
+  logic [3:0]          a_taps;
+  logic [Tmus-1:0]     a_fetched, a_color;
+  logic [3*Tmus-1:0]   a_plane;
   logic                inc_conflicts;
   logic [1:0]          inc_words;
   logic [3:0]          inc_taps, inc_address;
   ptm_unit_address #(
-    .Tmus(Tmus), .Sets(Sets)
+    .Tmus(Tmus)
   ) u_address (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .valid_i(valid_i), .ready_o(ready_o),
     .fragment_i(fragment_i), .valid_o(a_valid), .ready_i(a_ready), .beat_o(a_beat),
-    .lookup_o(a_lookup), .inc_conflicts_o(inc_conflicts), .inc_words_o(inc_words),
+    .map_texels_o(a_map_texels), .map_row_lines_o(a_map_row_lines),
+    .map_column_lines_o(a_map_column_lines), .color_texels_o(a_color_texels),
+    .color_row_lines_o(a_color_row_lines), .color_column_lines_o(a_color_column_lines),
+    .taps_o(a_taps), .fetched_o(a_fetched), .color_o(a_color), .plane_o(a_plane),
+    .inc_conflicts_o(inc_conflicts), .inc_words_o(inc_words),
     .inc_taps_o(inc_taps), .inc_multiplies_o(inc_address)
   );
 
@@ -90,7 +100,12 @@ module ptm_unit_front #(
     .Tmus(Tmus), .Sets(Sets), .Ways(Ways)
   ) u_tags (
     .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .valid_i(a_valid),
-    .ready_o(a_ready), .beat_i(a_beat), .lookup_i(a_lookup), .miss_valid_o(miss_valid),
+    .ready_o(a_ready), .beat_i(a_beat), 
+    .map_texels_i(a_map_texels), .map_row_lines_i(a_map_row_lines),
+    .map_column_lines_i(a_map_column_lines), .color_texels_i(a_color_texels),
+    .color_row_lines_i(a_color_row_lines), .color_column_lines_i(a_color_column_lines),
+    .taps_i(a_taps), .fetched_i(a_fetched), .color_i(a_color), .plane_i(a_plane),
+    .miss_valid_o(miss_valid),
     .miss_line_o(miss_line), .miss_push_o(miss_push), .miss_fits_i(miss_fits), .valid_o(t_valid),
     .ready_i(t_ready), .beat_o(t_beat), .reads_o(t_reads), .waits_for_slots_o(t_waits),
     .looked_o(looked), .hits_o(hits), .misses_o(misses), .duplicates_o(duplicates),
@@ -157,6 +172,6 @@ module ptm_unit_front #(
     .inc_multiplies_address_i(inc_address), .inc_multiplies_filter_i(inc_filter_i),
     .inc_multiplies_eval_i(inc_eval_i), .inc_multiplies_combine_i(inc_combine_i),
     .looked_i(looked), .hits_i(hits), .misses_i(misses), .duplicates_i(duplicates),
-    .color_i(looked_color), .draw_i(looked_draw), .counters_o(counters_o)
+    .color_i(looked_color), .draw_i(looked_draw), .number_i(counter_number_i), .value_o(counter_o)
   );
 endmodule

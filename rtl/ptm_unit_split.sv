@@ -6,9 +6,7 @@
 //
 // TMU t has word group * Tmus + t of the draw: the map's planes, then the colour texture.
 module ptm_unit_split #(
-  parameter int Tmus = 3,
-  parameter int Sets = 32,
-  localparam int LookupW = ptm_unit_front_pkg::LookupW
+  parameter int Tmus = 3
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -23,7 +21,11 @@ module ptm_unit_split #(
   // Sub-beat
   input  logic                        ready_i,
   output ptm_unit_pkg::beat_t         beat_o,
-  output logic [Tmus*LookupW-1:0]     lookup_o,  // lookup_t, TMU 0 lowest
+  output logic [3:0]                  taps_o,     // of both directions' halves
+  // By TMU: what its word is
+  output logic [Tmus-1:0]             fetched_o,  // it has one, and its texture has taps
+  output logic [Tmus-1:0]             color_o,    // of the colour texture
+  output logic [3*Tmus-1:0]           plane_o,
   // Counters' increments, in the cycle in which a sub-beat leaves
   output logic                        inc_conflicts_o,
   output logic [1:0]                  inc_words_o,
@@ -54,31 +56,21 @@ module ptm_unit_split #(
     else if (valid_i && ready_i) sub_q <= last ? '0 : sub_q + 2'd1;
   end
 
-  logic [3:0] taps;
   always_comb begin
     unique case ({split_v, split_u})
-      2'b00: taps = 4'b1111;
-      2'b01: taps = sub_q[0] ? 4'b1010 : 4'b0101;
-      2'b10: taps = sub_q[0] ? 4'b1100 : 4'b0011;
-      2'b11: taps = 4'b0001 << sub_q;
+      2'b00: taps_o = 4'b1111;
+      2'b01: taps_o = sub_q[0] ? 4'b1010 : 4'b0101;
+      2'b10: taps_o = sub_q[0] ? 4'b1100 : 4'b0011;
+      2'b11: taps_o = 4'b0001 << sub_q;
     endcase
   end
 
-  logic [Tmus-1:0]   fetched;
-  logic [Tmus*3-1:0] tap_count;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     logic [4:0] word;
-    logic       color;
-    assign word       = first_word + 5'(t);
-    assign color      = word >= 5'(planes_i);
-    assign fetched[t] = color ? reads_color && word == 5'(planes_i) : reads_map;
-    ptm_unit_lookup #(
-      .Sets(Sets)
-    ) u_lookup (
-      .texels_map_i(map_i), .texels_color_i(color_texels_i), .color_i(color),
-      .fetched_i(fetched[t]), .plane_i(color ? 3'd0 : word[2:0]), .taps_i(taps),
-      .lookup_o(lookup_o[t*LookupW +: LookupW]), .taps_o(tap_count[t*3 +: 3])
-    );
+    assign word              = first_word + 5'(t);
+    assign color_o[t]        = word >= 5'(planes_i);
+    assign fetched_o[t]      = color_o[t] ? reads_color && word == 5'(planes_i) : reads_map;
+    assign plane_o[t*3 +: 3] = color_o[t] ? 3'd0 : word[2:0];
   end
 
   always_comb begin
@@ -95,12 +87,23 @@ module ptm_unit_split #(
   assign multiplies = (beat_i.probes_log2 != 3'd0 ? 4'd2 : 4'd0) + (has_map ? 4'd4 : 4'd0) +
                       (has_color ? 4'd4 : 4'd0);
   assign inc_multiplies_o = leaves_first ? multiplies : 4'd0;
+  // Of a texture, how many of the sub-beat's taps are fetched
+  function automatic logic [2:0] count(input logic columns, input logic rows,
+                                       input logic [3:0] taps);
+    count = 3'(taps[0]) + 3'(taps[1] && columns) + 3'(taps[2] && rows) +
+            3'(taps[3] && columns && rows);
+  endfunction
+  logic [2:0] taps_map, taps_color;
+  assign taps_map   = count(map_i.columns, map_i.rows, taps_o);
+  assign taps_color = count(color_texels_i.columns, color_texels_i.rows, taps_o);
   always_comb begin
     inc_words_o = 2'd0;
     inc_taps_o  = 4'd0;
     for (int t = 0; t < Tmus; t++) begin
-      if (leaves_first && fetched[t]) inc_words_o = inc_words_o + 2'd1;
-      if (leaves) inc_taps_o = inc_taps_o + 4'(tap_count[t*3 +: 3]);
+      if (leaves && fetched_o[t]) begin
+        if (sub_q == 2'd0) inc_words_o = inc_words_o + 2'd1;
+        inc_taps_o = inc_taps_o + (color_o[t] ? 4'(taps_color) : 4'(taps_map));
+      end
     end
   end
 endmodule

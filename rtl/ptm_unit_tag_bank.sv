@@ -41,30 +41,47 @@ module ptm_unit_tag_bank #(
   localparam int SetIndexBits = Sets == 1 ? 1 : $clog2(Sets);
   logic [SetIndexBits-1:0] set;
   assign set = set_i[SetIndexBits-1:0];
-  logic [Ways*Ways-1:0] older;
-  assign older = older_q[set];
 
-  logic [Ways-1:0] match, valid, oldest;
-  for (genvar w = 0; w < Ways; w++) begin : gen_way
-    assign valid[w] = valid_q[place(set_i, 2'(w))];
-    assign match[w] = valid[w] && tag_q[place(set_i, 2'(w))] == line_i;
-    assign oldest[w] = (older[w*Ways +: Ways] | Ways'(1 << w)) == '1;
-  end
-  assign hit_o = match != '0;
+  // Without a look-up nothing is read, and nothing simulated
+  logic       full;
+  logic [1:0] oldest;
   always_comb begin
-    way_o = 2'd0;
-    for (int w = Ways - 1; w >= 0; w--) begin
-      if (hit_o ? match[w] : valid == '1 ? oldest[w] : !valid[w]) way_o = 2'(w);
+    full   = update_i;
+    oldest = 2'd0;
+    if (update_i) begin
+      for (int w = 0; w < Ways; w++) begin
+        if (!valid_q[place(set_i, 2'(w))]) full = 1'b0;
+        if ((older_q[set][w*Ways +: Ways] | Ways'(1 << w)) == '1) oldest = 2'(w);
+      end
     end
   end
-
+  always_comb begin
+    hit_o = 1'b0;
+    way_o = 2'd0;
+    if (update_i) begin
+      for (int w = Ways - 1; w >= 0; w--) begin
+        if (!valid_q[place(set_i, 2'(w))]) way_o = 2'(w);
+      end
+      if (full) way_o = oldest;
+      for (int w = 0; w < Ways; w++) begin
+        if (valid_q[place(set_i, 2'(w))] && tag_q[place(set_i, 2'(w))] == line_i) begin
+          hit_o = 1'b1;
+          way_o = 2'(w);
+        end
+      end
+    end
+  end
+  // The ways' order after this use
   logic [Ways*Ways-1:0] older_after;
   always_comb begin
-    older_after = older;
-    for (int w = 0; w < Ways; w++) begin
-      for (int other = 0; other < Ways; other++) begin
-        if (2'(w) == way_o) older_after[w*Ways + other] = 1'b0;
-        else if (2'(other) == way_o) older_after[w*Ways + other] = 1'b1;
+    older_after = '0;
+    if (update_i) begin
+      older_after = older_q[set];
+      for (int w = 0; w < Ways; w++) begin
+        for (int other = 0; other < Ways; other++) begin
+          if (2'(w) == way_o) older_after[w*Ways + other] = 1'b0;
+          else if (2'(other) == way_o) older_after[w*Ways + other] = 1'b1;
+        end
       end
     end
   end

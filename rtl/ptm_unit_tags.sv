@@ -10,7 +10,6 @@ module ptm_unit_tags #(
   parameter int Sets = 32,  // of a bank
   parameter int Ways = 2,
   localparam int LineBits = ptm_unit_pkg::LineBits,
-  localparam int LookupW  = ptm_unit_front_pkg::LookupW,
   localparam int ReadsW   = ptm_unit_front_pkg::ReadsW
 ) (
   input  logic                clk_i,
@@ -20,7 +19,16 @@ module ptm_unit_tags #(
   input  logic                    valid_i,
   output logic                    ready_o,
   input  ptm_unit_pkg::beat_t     beat_i,
-  input  logic [Tmus*LookupW-1:0] lookup_i,
+  input  ptm_unit_front_pkg::texels_t       map_texels_i,
+  input  ptm_unit_front_pkg::row_lines_t    map_row_lines_i,
+  input  ptm_unit_front_pkg::column_lines_t map_column_lines_i,
+  input  ptm_unit_front_pkg::texels_t       color_texels_i,
+  input  ptm_unit_front_pkg::row_lines_t    color_row_lines_i,
+  input  ptm_unit_front_pkg::column_lines_t color_column_lines_i,
+  input  logic [3:0]              taps_i,
+  input  logic [Tmus-1:0]         fetched_i,
+  input  logic [Tmus-1:0]         color_i,
+  input  logic [3*Tmus-1:0]       plane_i,
   // A rank to the miss ring: lines of the TMUs in miss_valid_o, all or none
   output logic [Tmus-1:0]          miss_valid_o,
   output logic [Tmus*LineBits-1:0] miss_line_o,
@@ -71,9 +79,16 @@ module ptm_unit_tags #(
     logic [Snoops*4*SetBits-1:0]  snoop_set;
     for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
       localparam int Other = Tmus == 1 ? 0 : s < t ? s : s + 1;
-      assign snoop[s*4 +: 4] = first_q && Tmus > 1 ? misses_o[Other*4 +: 4] : 4'd0;
-      assign snoop_line[s*4*LineBits +: 4*LineBits] = line[Other*4*LineBits +: 4*LineBits];
-      assign snoop_set[s*4*SetBits +: 4*SetBits]    = set_index[Other*4*SetBits +: 4*SetBits];
+      always_comb begin  // nothing moves, and nothing is simulated, in the many cycles without a miss
+        snoop[s*4 +: 4]                        = 4'd0;
+        snoop_line[s*4*LineBits +: 4*LineBits] = '0;
+        snoop_set[s*4*SetBits +: 4*SetBits]    = '0;
+        if (Tmus > 1 && first_q && misses_o[Other*4 +: 4] != 4'd0) begin
+          snoop[s*4 +: 4]                        = misses_o[Other*4 +: 4];
+          snoop_line[s*4*LineBits +: 4*LineBits] = line[Other*4*LineBits +: 4*LineBits];
+          snoop_set[s*4*SetBits +: 4*SetBits]    = set_index[Other*4*SetBits +: 4*SetBits];
+        end
+      end
       assign held[(t*Tmus + Other)*4 +: 4]          = snoop_held[s*4 +: 4];
     end
     if (Tmus > 1) begin : gen_self
@@ -83,8 +98,11 @@ module ptm_unit_tags #(
       .Sets(Sets), .Ways(Ways), .Snoops(Snoops)
     ) u_tmu (
       .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .load_i(t_load),
-      .lookup_i(lookup_i[t*LookupW +: LookupW]), .valid_i(t_valid), .first_i(first_q),
-      .push_i(miss_push_o), .miss_valid_o(miss_valid_o[t]),
+      .texels_i(color_i[t] ? color_texels_i : map_texels_i),
+      .row_lines_i(color_i[t] ? color_row_lines_i : map_row_lines_i),
+      .column_lines_i(color_i[t] ? color_column_lines_i : map_column_lines_i),
+      .color_i(color_i[t]), .fetched_i(fetched_i[t]), .plane_i(plane_i[t*3 +: 3]),
+      .taps_i(taps_i), .valid_i(t_valid), .first_i(first_q), .push_i(miss_push_o), .miss_valid_o(miss_valid_o[t]),
       .miss_line_o(miss_line_o[t*LineBits +: LineBits]), .more_o(more[t]),
       .reads_o(reads_o[t*ReadsW +: ReadsW]), .hits_o(hits_o[t*4 +: 4]),
       .misses_o(misses_o[t*4 +: 4]), .color_o(color_o[t]),

@@ -2,6 +2,7 @@
 // tiles, and whether the banks can serve both columns and both rows at once.
 //
 //   line(tx, ty) = base + (ty * tiles_across + tx) * planes        docs/spec/unit.md, Lines
+//                = row line + column line; the word's plane is added where it is known
 //   collides     = i0 != i1 and (i0, i1 have the same parity, or their tiles differ and have it)
 //                                                                  docs/spec/unit-timing.md, A3
 // Two multiplies, one a row of tiles; times 1, 3 or 6 planes is additions.
@@ -18,7 +19,9 @@ module ptm_unit_tiles #(
   input  logic [2:0]                  planes_i,     // 1, 3, 6
   output logic [7:0]                  wu_o,
   output logic [7:0]                  wv_o,
-  output ptm_unit_front_pkg::texels_t texels_o
+  output ptm_unit_front_pkg::texels_t       texels_o,
+  output ptm_unit_front_pkg::row_lines_t    row_lines_o,
+  output ptm_unit_front_pkg::column_lines_t column_lines_o
 );
   logic [11:0] i0, i1, j0, j1;
   ptm_unit_scale u_scale_u (
@@ -39,18 +42,18 @@ module ptm_unit_tiles #(
   assign before0 = 21'(j0[11:2]) * 21'(rounded_up[12:2]);
   assign before1 = 21'(j1[11:2]) * 21'(rounded_up[12:2]);
 
-  logic [4*LineBits-1:0] line;
-  for (genvar t = 0; t < 4; t++) begin : gen_tap
-    logic [9:0]          tx;
-    logic [20:0]         place;
-    logic [LineBits-1:0] tile, tripled;
-    assign tx      = t % 2 == 1 ? i1[11:2] : i0[11:2];
-    assign place   = (t >= 2 ? before1 : before0) + 21'(tx);
-    assign tile    = LineBits'(place);
-    assign tripled = tile + (tile << 1);
-    assign line[t*LineBits +: LineBits] =
-        level_i.base + (planes_i == 3'd1 ? tile : planes_i == 3'd3 ? tripled : tripled << 1);
-  end
+  function automatic logic [LineBits-1:0] times_planes(input logic [20:0] tiles,
+                                                       input logic [2:0] planes);
+    logic [LineBits-1:0] one, three;
+    one          = LineBits'(tiles);
+    three        = one + (one << 1);
+    times_planes = planes == 3'd1 ? one : planes == 3'd3 ? three : three << 1;
+  endfunction
+  logic [LineBits-1:0] row0, row1, column0, column1;
+  assign row0    = level_i.base + times_planes(before0, planes_i);
+  assign row1    = level_i.base + times_planes(before1, planes_i);
+  assign column0 = times_planes(21'(i0[11:2]), planes_i);
+  assign column1 = times_planes(21'(i1[11:2]), planes_i);
 
   always_comb begin
     texels_o            = '0;
@@ -58,7 +61,6 @@ module ptm_unit_tiles #(
     texels_o.rows       = wv_o != 8'd0;
     texels_o.i          = {i1, i0};
     texels_o.j          = {j1, j0};
-    texels_o.line       = line;
     texels_o.level      = level_i.level;
     texels_o.collides_u = wu_o != 8'd0 && i0 != i1 &&
                           (i0[0] == i1[0] || (i0[11:2] != i1[11:2] && i0[2] == i1[2]));
@@ -66,6 +68,13 @@ module ptm_unit_tiles #(
                           (j0[0] == j1[0] || (j0[11:2] != j1[11:2] && j0[2] == j1[2]));
   end
 
-  logic unused_rounding;
-  assign unused_rounding = ^rounded_up[1:0];
+  always_comb begin
+    row_lines_o           = '0;
+    row_lines_o.row       = {row1, row0};
+    column_lines_o        = '0;
+    column_lines_o.column = {column1[12:0], column0[12:0]};
+  end
+
+  logic unused_bits;
+  assign unused_bits = ^{rounded_up[1:0], column0[25:13], column1[25:13]};
 endmodule

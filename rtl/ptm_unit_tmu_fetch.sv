@@ -26,7 +26,7 @@ module ptm_unit_tmu_fetch #(
   always_ff @(posedge clk_i) if (f_load_i) reads_q <= reads_i;
 
   // Of each tap: its data bank, and its word in that bank's row
-  logic [7:0] bank, word, bank_q, word_q;
+  logic [7:0] bank, word, bank_q;
   for (genvar tap = 0; tap < 4; tap++) begin : gen_tap
     logic [1:0] i, j;
     assign i                = reads_q.i[tap%2];
@@ -39,11 +39,10 @@ module ptm_unit_tmu_fetch #(
     if (d_load_i) begin
       fetched_q <= reads_q.fetched;
       bank_q    <= bank;
-      word_q    <= word;
     end
   end
 
-  logic [4*BankWidth-1:0] rows;
+  logic [127:0] bank_words;  // of each bank, the word that its taps want
   for (genvar b = 0; b < 4; b++) begin : gen_bank
     // Taps of one bank are the same texel
     logic [3:0] here;
@@ -55,7 +54,7 @@ module ptm_unit_tmu_fetch #(
     assign tap = here[0] ? 2'd0 : here[1] ? 2'd1 : here[2] ? 2'd2 : 2'd3;
     assign row = reads_q.row[tap];
     // Words of the line with the bank's parities, in the order {j[1], i[1]}
-    logic [BankWidth-1:0] words;
+    logic [BankWidth-1:0] words, read;
     for (genvar w = 0; w < 4; w++) begin : gen_word
       localparam int Word = ((w / 2) * 2 + b / 2) * 4 + (w % 2) * 2 + b % 2;
       assign words[w*32 +: 32] = line_i[Word*32 +: 32];
@@ -65,15 +64,16 @@ module ptm_unit_tmu_fetch #(
     ) u_bank (
       .clk_i(clk_i), .write_i(write_i), .write_row_i(write_row_i[PlaceBits-1:0]),
       .write_data_i(words), .read_i(d_load_i && here != 4'd0), .read_row_i(row[PlaceBits-1:0]),
-      .read_data_o(rows[b*BankWidth +: BankWidth])
+      .read_data_o(read)
     );
+    logic [1:0] word_q;
+    always_ff @(posedge clk_i) if (d_load_i) word_q <= word[tap*2 +: 2];
+    assign bank_words[b*32 +: 32] = read[word_q*32 +: 32];
   end
 
   logic [127:0] tap_words;
   for (genvar tap = 0; tap < 4; tap++) begin : gen_word
-    logic [3:0] from;  // {bank, word of its row}
-    assign from = {bank_q[tap*2 +: 2], word_q[tap*2 +: 2]};
-    assign tap_words[tap*32 +: 32] = rows[from*32 +: 32];
+    assign tap_words[tap*32 +: 32] = bank_words[bank_q[tap*2 +: 2]*32 +: 32];
   end
   always_comb begin
     taps_o         = '0;

@@ -13,8 +13,14 @@ module ptm_unit_tmu_tags #(
   input  logic                        clk_i,
   input  logic                        rst_ni,
   input  logic                        invalidate_i,
-  input  logic                        load_i,   // T takes over a beat
-  input  ptm_unit_front_pkg::lookup_t lookup_i,
+  input  logic                        load_i,   // T takes over a beat, with this word:
+  input  ptm_unit_front_pkg::texels_t       texels_i,
+  input  ptm_unit_front_pkg::row_lines_t    row_lines_i,
+  input  ptm_unit_front_pkg::column_lines_t column_lines_i,
+  input  logic                        color_i,
+  input  logic                        fetched_i,
+  input  logic [2:0]                  plane_i,
+  input  logic [3:0]                  taps_i,
   input  logic                        valid_i,  // T holds a beat
   input  logic                        first_i,  // in its first cycle: look up
   input  logic                        push_i,   // this rank is pushed
@@ -38,8 +44,34 @@ module ptm_unit_tmu_tags #(
   localparam int WayBits = $clog2(Ways);
   localparam int SetIndexBits = $clog2(Sets);
 
-  ptm_unit_front_pkg::lookup_t lookup_q;
-  always_ff @(posedge clk_i) if (load_i) lookup_q <= lookup_i;
+  logic [3:0]            fetched, fetched_q, first, first_q;  // by tap
+  logic [7:0]            tap_bank, tap_bank_q;
+  logic [3:0]            used, used_q;                        // by bank
+  logic [4*LineBits-1:0] line, line_q;
+  logic [4*SetBits-1:0]  set_index, set_index_q;
+  logic [3:0]            i_q, j_q;                            // within the tiles
+  logic                  color_q;
+  ptm_unit_lookup #(
+    .Sets(Sets)
+  ) u_lookup (
+    .texels_i(texels_i), .row_lines_i(row_lines_i), .column_lines_i(column_lines_i),
+    .color_i(color_i), .fetched_i(fetched_i), .plane_i(plane_i), .taps_i(taps_i),
+    .fetched_o(fetched), .first_o(first), .bank_o(tap_bank), .used_o(used), .line_o(line),
+    .set_o(set_index)
+  );
+  always_ff @(posedge clk_i) begin
+    if (load_i) begin
+      fetched_q   <= fetched;
+      first_q     <= first;
+      tap_bank_q  <= tap_bank;
+      used_q      <= used;
+      line_q      <= line;
+      set_index_q <= set_index;
+      i_q         <= {texels_i.i[1][1:0], texels_i.i[0][1:0]};
+      j_q         <= {texels_i.j[1][1:0], texels_i.j[0][1:0]};
+      color_q     <= color_i;
+    end
+  end
 
   logic [3:0] hit;
   logic [7:0] way_now, way_q, way;  // by bank
@@ -58,21 +90,21 @@ module ptm_unit_tmu_tags #(
       .Sets(Sets), .Ways(Ways), .Snoops(Snoops)
     ) u_bank (
       .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i),
-      .update_i(first_i && lookup_q.used[b]), .set_i(lookup_q.set_index[b]),
-      .line_i(lookup_q.line[b]), .hit_o(hit[b]), .way_o(way_now[b*2 +: 2]), .snoop_i(snoop),
+      .update_i(first_i && used_q[b]), .set_i(set_index_q[b*SetBits +: SetBits]),
+      .line_i(line_q[b*LineBits +: LineBits]), .hit_o(hit[b]), .way_o(way_now[b*2 +: 2]), .snoop_i(snoop),
       .snoop_set_i(snoop_set), .snoop_line_i(snoop_line), .snoop_held_o(held)
     );
   end
-  assign hits_o   = lookup_q.used & hit;
-  assign misses_o = lookup_q.used & ~hit;
-  assign color_o  = lookup_q.color;
-  assign line_o   = lookup_q.line;
-  assign set_o    = lookup_q.set_index;
+  assign hits_o   = used_q & hit;
+  assign misses_o = used_q & ~hit;
+  assign color_o  = color_q;
+  assign line_o   = line_q;
+  assign set_o    = set_index_q;
 
   // Misses by tap: all of the beat's, and those still to be pushed
   logic [3:0] missed_now, missed_q, left, left_q, left_after;
   for (genvar tap = 0; tap < 4; tap++) begin : gen_tap
-    assign missed_now[tap] = lookup_q.first[tap] && !hit[lookup_q.bank[tap]];
+    assign missed_now[tap] = first_q[tap] && !hit[tap_bank_q[tap*2 +: 2]];
   end
   assign left       = first_i ? missed_now : left_q;
   assign left_after = left & (left - 4'd1);
@@ -85,27 +117,28 @@ module ptm_unit_tmu_tags #(
     left_q <= push_i ? left_after : left;
   end
 
-  logic [1:0] tap_now;
+  logic [1:0] tap_now, bank_now;
   assign tap_now      = left[0] ? 2'd0 : left[1] ? 2'd1 : left[2] ? 2'd2 : 2'd3;
   assign miss_valid_o = valid_i && left != 4'd0;
-  assign miss_line_o  = lookup_q.line[lookup_q.bank[tap_now]];
+  assign bank_now     = tap_bank_q[tap_now*2 +: 2];
+  assign miss_line_o  = line_q[bank_now*LineBits +: LineBits];
   assign more_o       = left_after != 4'd0;
 
   // Rows of the data banks: {bank, set, way}
   logic [4*RowBits-1:0] row;
   for (genvar tap = 0; tap < 4; tap++) begin : gen_row
     logic [1:0] bank;
-    assign bank = lookup_q.bank[tap];
+    assign bank = tap_bank_q[tap*2 +: 2];
     assign row[tap*RowBits +: RowBits] =
         (RowBits'(bank) << (SetIndexBits + WayBits)) |
-        (RowBits'(lookup_q.set_index[bank]) << WayBits) | RowBits'(way[bank*2 +: 2]);
+        (RowBits'(set_index_q[bank*SetBits +: SetBits]) << WayBits) | RowBits'(way[bank*2 +: 2]);
   end
   always_comb begin
     reads_o         = '0;
-    reads_o.fetched = lookup_q.fetched;
+    reads_o.fetched = fetched_q;
     reads_o.missed  = first_i ? missed_now : missed_q;
     reads_o.row     = row;
-    reads_o.i       = lookup_q.i;
-    reads_o.j       = lookup_q.j;
+    reads_o.i       = i_q;
+    reads_o.j       = j_q;
   end
 endmodule

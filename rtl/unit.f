@@ -25,12 +25,14 @@ rtl/ptm_unit_counters.sv
 rtl/ptm_unit_front.sv
 rtl/ptm_draw_select.sv
 rtl/ptm_palette_schedule.sv
+rtl/ptm_palette_control.sv
 rtl/ptm_palette_word.sv
 rtl/ptm_port_select.sv
 rtl/ptm_tap_hold.sv
 rtl/ptm_lane_tap.sv
 rtl/ptm_filter_lane.sv
 rtl/ptm_filter_field.sv
+rtl/ptm_filter_fields.sv
 rtl/ptm_filter.sv
 rtl/ptm_combine_products.sv
 rtl/ptm_combine_scale.sv

@@ -28,7 +28,7 @@ struct Traffic {
 };
 
 template <class Variant>
-class UnitBackTest : public testing::Test {
+class RtlUnitBack : public testing::Test {
  protected:
   UnitScene scene(std::uint64_t seed) {
     UnitSceneMaker maker(seed);
@@ -95,9 +95,9 @@ class UnitBackTest : public testing::Test {
 };
 
 using Variants = testing::Types<BackDefault, BackCorner, BackNarrow>;
-TYPED_TEST_SUITE(UnitBackTest, Variants);
+TYPED_TEST_SUITE(RtlUnitBack, Variants);
 
-TYPED_TEST(UnitBackTest, EqualsTheReferenceAndItsCyclesOnRandomScenes) {
+TYPED_TEST(RtlUnitBack, EqualsTheReferenceAndItsCyclesOnRandomScenes) {
   std::array<int, 5> formats{};
   std::array<int, 6> combines{};
   std::array<int, 8> cases{};  // split, not lit, two footprints, of one texture only, probes, ...
@@ -142,7 +142,7 @@ TYPED_TEST(UnitBackTest, EqualsTheReferenceAndItsCyclesOnRandomScenes) {
 
 /// One draw of one format, its textures of 4 x 4 texels.
 template <class Variant>
-class UnitBackTiming : public UnitBackTest<Variant> {
+class RtlUnitBackTiming : public RtlUnitBack<Variant> {
  protected:
   void load(TextureFormat format, bool color = false) {
     reference::UnitState& state = scene_.state;
@@ -195,10 +195,10 @@ class UnitBackTiming : public UnitBackTest<Variant> {
   }
   UnitScene scene_;
 };
-using UnitBackTimingDefault = UnitBackTiming<BackDefault>;
-using UnitBackTimingCorner = UnitBackTiming<BackCorner>;
+using RtlUnitBackDefault = RtlUnitBackTiming<BackDefault>;
+using RtlUnitBackCorner = RtlUnitBackTiming<BackCorner>;
 
-TEST_F(UnitBackTimingDefault, APixelIsOfferedFifteenCyclesAfterItsOnlyBeatLeftD) {
+TEST_F(RtlUnitBackDefault, APixelIsOfferedFifteenCyclesAfterItsOnlyBeatLeftD) {
   load(TextureFormat::lrgb);
   const std::vector<BackBeat> one = beats(at(true));
   ASSERT_EQ(one.size(), 1U);
@@ -209,7 +209,7 @@ TEST_F(UnitBackTimingDefault, APixelIsOfferedFifteenCyclesAfterItsOnlyBeatLeftD)
   EXPECT_TRUE(bench_.cycle(nullptr, false).offered);
 }
 
-TEST_F(UnitBackTimingDefault, ExactlySixteenFragmentsOfOneBeatLeaveDWhileTheOutputIsBlocked) {
+TEST_F(RtlUnitBackDefault, ExactlySixteenFragmentsOfOneBeatLeaveDWhileTheOutputIsBlocked) {
   load(TextureFormat::lrgb);
   EXPECT_EQ(accepted_while_blocked(beats(at(true))), 5 + 7 + 2 + 2);
 }
@@ -217,14 +217,14 @@ TEST_F(UnitBackTimingDefault, ExactlySixteenFragmentsOfOneBeatLeaveDWhileTheOutp
 /// Six words on three TMUs: two beats a fragment. Two pixels stand in C1 and C2, two in the FIFO;
 /// the passes of three fragments fill the assembly register and R1 to R7; one fragment is in O, one
 /// in L3 (its first beat went to the accumulators); L2, L1 and P hold a beat each.
-TEST_F(UnitBackTimingDefault, OfAnRgbMapExactlyTwentyOneBeatsLeaveDWhileTheOutputIsBlocked) {
+TEST_F(RtlUnitBackDefault, OfAnRgbMapExactlyTwentyOneBeatsLeaveDWhileTheOutputIsBlocked) {
   load(TextureFormat::rgb);
   const std::vector<BackBeat> two = beats(at(true));
   ASSERT_EQ(two.size(), 2U);
   EXPECT_EQ(accepted_while_blocked(two), 2 * (2 + 2 + 3 + 1 + 1) + 3);
 }
 
-TEST_F(UnitBackTimingDefault, AFullUnitGoesOnInTheCycleAfterTheEvaluatorsFifoLetsAPixelGo) {
+TEST_F(RtlUnitBackDefault, AFullUnitGoesOnInTheCycleAfterTheEvaluatorsFifoLetsAPixelGo) {
   load(TextureFormat::lrgb);
   const std::vector<BackBeat> one = beats(at(true));
   accepted_while_blocked(one);
@@ -236,7 +236,7 @@ TEST_F(UnitBackTimingDefault, AFullUnitGoesOnInTheCycleAfterTheEvaluatorsFifoLet
   }
 }
 
-TEST_F(UnitBackTimingDefault, AFullPipeGivesAPixelACycleAndThreePassesTakeThree) {
+TEST_F(RtlUnitBackDefault, AFullPipeGivesAPixelACycleAndThreePassesTakeThree) {
   for (const auto& [format, cycles] :
        {std::pair{TextureFormat::lrgb, 1}, std::pair{TextureFormat::none, 1},
         std::pair{TextureFormat::palette_lrgb, 1}, std::pair{TextureFormat::rgb, 3}}) {
@@ -261,7 +261,7 @@ int cycles_in_d(Bench& bench, const BackBeat& beat, bool ready = true) {
   return cycles;
 }
 
-TEST_F(UnitBackTimingDefault, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
+TEST_F(RtlUnitBackDefault, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
   load(TextureFormat::palette_lrgb);  // four ports
   EXPECT_EQ(cycles_in_d(bench_, beats(at(true))[0]), 1);
   load(TextureFormat::palette_rgb);  // one port
@@ -273,7 +273,7 @@ TEST_F(UnitBackTimingDefault, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
   EXPECT_EQ(bench_.counts.palette, 4U + 1U);
 }
 
-TEST_F(UnitBackTimingCorner, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
+TEST_F(RtlUnitBackCorner, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
   load(TextureFormat::palette_lrgb);  // one port
   EXPECT_EQ(cycles_in_d(bench_, beats(at(true))[0]), 4);
   load(TextureFormat::palette_rgb);  // two ports
@@ -283,7 +283,7 @@ TEST_F(UnitBackTimingCorner, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
   EXPECT_EQ(cycles_in_d(bench_, three), 2);
 }
 
-TEST_F(UnitBackTimingDefault, ASubBeatThatIsNotTheLastLeavesDThoughTheUnitIsFull) {
+TEST_F(RtlUnitBackDefault, ASubBeatThatIsNotTheLastLeavesDThoughTheUnitIsFull) {
   load(TextureFormat::palette_rgb);
   const BackBeat whole = beats(at(true))[0];
   const int held = accepted_while_blocked({whole});
@@ -295,6 +295,17 @@ TEST_F(UnitBackTimingDefault, ASubBeatThatIsNotTheLastLeavesDThoughTheUnitIsFull
   for (int n = 0; n < 3; ++n) EXPECT_EQ(cycles_in_d(bench_, part, false), 2);  // by one port
   part.sub_last = true;
   for (int n = 0; n < 20; ++n) EXPECT_FALSE(bench_.cycle(&part, false).left);
+}
+
+TEST_F(RtlUnitBackDefault, AResetEmptiesEveryStageAndForgetsTheLookUpsOfTheBeatInD) {
+  load(TextureFormat::palette_rgb);
+  const BackBeat whole = beats(at(true))[0];
+  accepted_while_blocked({whole});
+  bench_.cycle(&whole, false);
+  bench_.reset();
+  for (int n = 0; n < 40; ++n) EXPECT_FALSE(bench_.cycle(nullptr, true).offered);
+  load(TextureFormat::palette_rgb);
+  EXPECT_EQ(cycles_in_d(bench_, whole), 4);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using reference::Draw;
 using reference::TextureFormat;
 using reference::TextureLevels;
 
-class UnitRegisters : public testing::Test {
+class RtlUnitRegisters : public testing::Test {
  protected:
   void write(const Draw& draw, int number) {
     for (const reference::RegisterWrite& w : reference::register_writes(draw, number)) {
@@ -145,7 +145,7 @@ class UnitRegisters : public testing::Test {
   std::mt19937_64 rng_{1};
 };
 
-TEST_F(UnitRegisters, EveryFieldOfEveryDrawLandsWhereTheOtherBlocksReadIt) {
+TEST_F(RtlUnitRegisters, EveryFieldOfEveryDrawLandsWhereTheOtherBlocksReadIt) {
   for (int round = 0; round < 50; ++round) {
     std::array<Draw, 4> draws;
     for (int d = 0; d < 4; ++d) {
@@ -156,7 +156,7 @@ TEST_F(UnitRegisters, EveryFieldOfEveryDrawLandsWhereTheOtherBlocksReadIt) {
   }
 }
 
-TEST_F(UnitRegisters, ALegalDrawPassesInTheLinesItNeedsAndFailsInOneLess) {
+TEST_F(RtlUnitRegisters, ALegalDrawPassesInTheLinesItNeedsAndFailsInOneLess) {
   EXPECT_EQ(check_draw(legal(), kLegalLines), 0U);
   EXPECT_EQ(check(legal(), kLegalLines), 0U);
   EXPECT_FALSE(bench_.dut.error_o);
@@ -166,7 +166,7 @@ TEST_F(UnitRegisters, ALegalDrawPassesInTheLinesItNeedsAndFailsInOneLess) {
   EXPECT_FALSE(bench_.dut.error_o);
 }
 
-TEST_F(UnitRegisters, TheCheckFindsEachLevelOfEitherTextureThatEndsBeyondTheMemory) {
+TEST_F(RtlUnitRegisters, TheCheckFindsEachLevelOfEitherTextureThatEndsBeyondTheMemory) {
   for (unsigned level = 0; level < 5; ++level) {
     Draw d = legal();
     d.map.base[level] = (1U << 26) - 1;
@@ -177,7 +177,7 @@ TEST_F(UnitRegisters, TheCheckFindsEachLevelOfEitherTextureThatEndsBeyondTheMemo
   }
 }
 
-TEST_F(UnitRegisters, TheCheckFindsWhatTheReferenceFindsOnRandomAndOnNearlyLegalDraws) {
+TEST_F(RtlUnitRegisters, TheCheckFindsWhatTheReferenceFindsOnRandomAndOnNearlyLegalDraws) {
   std::array<int, 16> found{};
   for (int n = 0; n < 4000; ++n) {
     Draw d = n % 8 == 0 ? random_draw() : legal();
@@ -193,7 +193,7 @@ TEST_F(UnitRegisters, TheCheckFindsWhatTheReferenceFindsOnRandomAndOnNearlyLegal
   }
 }
 
-TEST_F(UnitRegisters, TheCheckTakesTwentySixCyclesADrawAndIsBusyMeanwhile) {
+TEST_F(RtlUnitRegisters, TheCheckTakesTwentySixCyclesADrawAndIsBusyMeanwhile) {
   bench_.write(0x1001, kLegalLines);
   write(legal(), 2);
   EXPECT_EQ(bench_.read(0x1003), 1U);
@@ -201,7 +201,7 @@ TEST_F(UnitRegisters, TheCheckTakesTwentySixCyclesADrawAndIsBusyMeanwhile) {
   EXPECT_EQ(bench_.read(0x1003), 0U);
 }
 
-TEST_F(UnitRegisters, DrawsWrittenWhileOneIsLookedAtAreLookedAtToo) {
+TEST_F(RtlUnitRegisters, DrawsWrittenWhileOneIsLookedAtAreLookedAtToo) {
   bench_.write(0x1001, kLegalLines);
   std::uint32_t expected = 0;
   for (int d = 0; d < 4; ++d) {
@@ -209,24 +209,43 @@ TEST_F(UnitRegisters, DrawsWrittenWhileOneIsLookedAtAreLookedAtToo) {
     if (d == 1) draw.map.width = 4097;
     if (d == 3) draw.map.levels = 6;
     expected |= check_draw(draw, kLegalLines) << (8 * d);
+    draw.format = static_cast<TextureFormat>(7);
     write(draw, d);
   }
-  for (const unsigned control : {0U, 64U, 128U, 192U}) {  // again, one after the other
-    bench_.write(control, 1U | 1U << 10 | 1U << 13);
-  }
+  EXPECT_EQ(bench_.wait_for_check(), 27U);  // the last one's
+  EXPECT_EQ(bench_.read(0x1002), expected | 0x08080808U);
+  const std::uint32_t control = 1U | 1U << 5 | 1U << 10 | 1U << 13;
+  for (const unsigned at : {0U, 64U, 128U, 192U}) bench_.write(at, control);
   bench_.wait_for_check();
   EXPECT_EQ(bench_.read(0x1002), expected);
   EXPECT_EQ(expected, 1U << 8 | 2U << 24);
   EXPECT_TRUE(bench_.dut.error_o);
 }
 
-TEST_F(UnitRegisters, ADrawThatWasNotWrittenIsNoError) {
+TEST_F(RtlUnitRegisters, AControlWrittenDuringItsOwnCheckIsLookedAtAnew) {
+  const std::uint32_t control = 1U | 1U << 5 | 1U << 10 | 1U << 13;
+  for (int after = 0; after < 30; ++after) {
+    check(legal(), kLegalLines);
+    bench_.write(0, control | 7U);
+    for (int n = 0; n < after; ++n) bench_.edge();
+    bench_.write(0, control);
+    bench_.wait_for_check();
+    ASSERT_EQ(bench_.read(0x1002), 0U) << after;
+    bench_.write(0, control);
+    for (int n = 0; n < after; ++n) bench_.edge();
+    bench_.write(0, control | 7U);
+    bench_.wait_for_check();
+    ASSERT_EQ(bench_.read(0x1002), 8U) << after;
+  }
+}
+
+TEST_F(RtlUnitRegisters, ADrawThatWasNotWrittenIsNoError) {
   EXPECT_EQ(bench_.read(0x1002), 0U);
   EXPECT_FALSE(bench_.dut.error_o);
   EXPECT_FALSE(bench_.dut.checking_o);
 }
 
-TEST_F(UnitRegisters, TheTagOfTheFirstResponseThatNobodyWaitsForStaysUntilItIsCleared) {
+TEST_F(RtlUnitRegisters, TheTagOfTheFirstResponseThatNobodyWaitsForStaysUntilItIsCleared) {
   auto& dut = bench_.dut;
   for (const unsigned tag : {0xA5U, 0x11U}) {
     dut.mem_error_i = 1;
@@ -245,7 +264,7 @@ TEST_F(UnitRegisters, TheTagOfTheFirstResponseThatNobodyWaitsForStaysUntilItIsCl
   EXPECT_EQ(bench_.read(0x1003), 1U);
 }
 
-TEST_F(UnitRegisters, TheCommandsArePulsesInTheCycleOfTheirWrite) {
+TEST_F(RtlUnitRegisters, TheCommandsArePulsesInTheCycleOfTheirWrite) {
   auto& dut = bench_.dut;
   for (const unsigned command : {0U, 1U, 2U, 3U}) {
     dut.reg_we_i = 1;
@@ -265,7 +284,7 @@ TEST_F(UnitRegisters, TheCommandsArePulsesInTheCycleOfTheirWrite) {
   EXPECT_FALSE(dut.invalidate_o || dut.clear_o);
 }
 
-TEST_F(UnitRegisters, EveryCounterIsReadInTwoHalvesAndNothingLiesBehindThem) {
+TEST_F(RtlUnitRegisters, EveryCounterIsReadInTwoHalvesAndNothingLiesBehindThem) {
   for (unsigned n = 0; n < reference::kUnitCounters; ++n) {
     bench_.dut.counters_i[n] = 0x1234567800000000ULL * (n + 1) + n * 77 + 5;
   }

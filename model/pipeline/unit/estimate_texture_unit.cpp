@@ -1,0 +1,227 @@
+#include "model/pipeline/estimate_texture_unit.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "model/pipeline/unit/loose_sample.h"
+#include "model/pipeline/unit/loose_time.h"
+
+namespace ptm::pipeline {
+namespace {
+
+using reference::UnitFragment;
+
+/// Cycles from a beat's leaving the commit stage to its pixel's being taken.
+constexpr double kDrain = 17;
+/// Cycles after which saved fragments are spent at the latest, so that FIFO and ring are felt.
+constexpr double kSaved = 32;
+
+/// Whether each TMU reads as many words of each texture as the others.
+bool alike(const DrawPlan& draw, unsigned tmus) {
+  return draw.words_of[0] % tmus == 0 && draw.words_of[1] % tmus == 0;
+}
+
+class LooseUnit {
+ public:
+  LooseUnit(const reference::UnitConfig& unit, const reference::UnitState& state,
+            const MemoryModel& memory, int tile, const StreamTiming& timing)
+      : draws_(plan_draws(state.draws, unit)),
+        tmus_(static_cast<std::size_t>(unit.tmus)),
+        tile_(static_cast<std::size_t>(tile)),
+        map_(unit),
+        time_(unit, make_memory(memory)) {
+    for (int t = 0; t < unit.tmus; ++t) caches_.emplace_back(map_.rows(), unit.ways);
+    const double waits = timing.input_gap * 2.5 + static_cast<double>(timing.idle) / timing.group;
+    input_pace_ = 1 + waits;
+    output_pace_ = 1 / (1 - timing.output_stall);
+  }
+
+  UnitEstimate run(std::span<const UnitFragment> fragments) {
+    for (std::size_t n = 0; n < fragments.size();) {
+      const std::size_t length = span_length(fragments.subspan(n));
+      draw_span(fragments.subspan(n, length));
+      n += length;
+    }
+    advance();
+    UnitEstimate out{.fragments = fragments.size()};
+    if (fragments.empty()) return out;
+    const unsigned passes = draws_[fragments.back().draw].passes;
+    out.cycles = static_cast<std::uint64_t>(time_.commit() + kDrain + passes);
+    out.beats = static_cast<std::uint64_t>(time_.beats());
+    out.lines_read = time_.requests();
+    return out;
+  }
+
+ private:
+  [[nodiscard]] std::size_t span_length(std::span<const UnitFragment> rest) const {
+    const UnitFragment& first = rest.front();
+    const std::size_t most = std::min(tile_ - first.x % tile_, rest.size());
+    const auto joins = [&](std::size_t n) {
+      return rest[n].y == first.y && rest[n].x == first.x + n && rest[n].draw == first.draw;
+    };
+    if (joins(most - 1)) return most;
+    std::size_t length = 1;
+    while (length < most && joins(length)) ++length;
+    return length;
+  }
+
+  void draw_span(std::span<const UnitFragment> span) {
+    const DrawPlan& draw = draws_[span.front().draw];
+    const LooseSample last = eye_.look(draw, span.back());
+    const LooseEye::Part last_part = eye_.parts().front();
+    const LooseSample first = eye_.look(draw, span.front());
+    if (all_hit_ && first.hash == first_hash_ && last.hash == last_hash_) {
+      return spend(first, span.size());
+    }
+    first_hash_ = first.hash;
+    last_hash_ = last.hash;
+    all_hit_ = true;
+    const LooseEye::Part& part = eye_.parts().front();
+    const Distance distance = between(part, span.front(), span.back());
+    if (eye_.parts().size() == 1 && along_a_row(part, last_part, distance)) {
+      walk_row(draw, first, part, last_part.span, span.size());
+    } else {
+      walk(draw, first, span, 2 + std::abs(distance.x) + std::abs(distance.y));
+    }
+  }
+
+  /// Tiles of texels between two fragments, rounded down.
+  struct Distance {
+    std::int64_t x = 0, y = 0;
+  };
+  [[nodiscard]] static Distance between(const LooseEye::Part& part, const UnitFragment& a,
+                                        const UnitFragment& b) {
+    const LevelPlan& level = part.texture->level[static_cast<std::size_t>(part.level)];
+    return {(std::int64_t{b.u} - a.u) * level.width >> 22,
+            (std::int64_t{b.v} - a.v) * level.height >> 22};
+  }
+
+  /// Whether a span stays in one row of tiles, or between two, and crosses no seam.
+  [[nodiscard]] static bool along_a_row(const LooseEye::Part& a, const LooseEye::Part& b,
+                                        Distance distance) {
+    const std::int64_t columns = std::int64_t{b.span.across.t0} - a.span.across.t0;
+    return a.level == b.level && a.span.down.t0 == b.span.down.t0 &&
+           a.span.down.t1 == b.span.down.t1 && distance.x >= 0 && columns >= distance.x &&
+           columns <= distance.x + 1;
+  }
+
+  void walk_row(const DrawPlan& draw, const LooseSample& sample, const LooseEye::Part& part,
+                const FootprintSpan& last, std::size_t fragments) {
+    LooseEye::Part column = part;
+    const std::uint32_t begin = part.span.across.t0;
+    const std::uint32_t count = std::max(last.across.t0, last.across.t1) - begin + 1;
+    const bool one_for_all = alike(draw, static_cast<unsigned>(tmus_));
+    looked_up_ = 0;
+    std::size_t at = 0;
+    for (std::uint32_t n = 0; n < count; ++n) {
+      column.span.across.t0 = column.span.across.t1 = begin + n;
+      look_up_part(draw, column, one_for_all);
+      const std::size_t next = n + 1 == count ? fragments : fragments * (n + 1) / count;
+      if (next != at) spend(sample, next - at);
+      at = next;
+    }
+  }
+
+  void walk(const DrawPlan& draw, const LooseSample& first, std::span<const UnitFragment> span,
+            std::int64_t looks) {
+    const std::size_t steps = std::min(span.size(), static_cast<std::size_t>(looks));
+    LooseSample sample = first;
+    std::size_t at = 0;
+    for (std::size_t step = 0; step < steps; ++step) {
+      const std::size_t next = (step + 1) * (span.size() - 1) / std::max<std::size_t>(steps - 1, 1);
+      const std::size_t end = step + 1 == steps ? span.size() : std::max(next, at + 1);
+      look_up(draw, sample.hash);
+      spend(sample, end - at);
+      if (end == span.size()) break;
+      at = end;
+      sample = eye_.look(draw, span[at]);
+    }
+  }
+
+  /// Fragments that need what the sample needs. They are saved up until a line is missed.
+  void spend(const LooseSample& sample, std::size_t fragments) {
+    const auto count = static_cast<double>(fragments);
+    saved_beats_ += sample.beats * count;
+    saved_tags_ += std::max(sample.beats, input_pace_) * count;
+    saved_commit_ += std::max(sample.commit, output_pace_) * count;
+    if (saved_tags_ >= kSaved) advance();
+  }
+  void advance() {
+    if (saved_beats_ == 0) return;
+    time_.advance(saved_beats_, saved_tags_, saved_commit_, lines_, width_);
+    saved_beats_ = saved_tags_ = saved_commit_ = 0;
+    lines_.clear();
+  }
+
+  /// The lines that the fragment looked at last misses, rank by rank, into lines_.
+  void look_up(const DrawPlan& draw, std::uint64_t hash) {
+    if (hash == looked_up_) return;
+    looked_up_ = hash;
+    const bool one_for_all = alike(draw, static_cast<unsigned>(tmus_));
+    for (const LooseEye::Part& part : eye_.parts()) look_up_part(draw, part, one_for_all);
+  }
+
+  void look_up_part(const DrawPlan& draw, const LooseEye::Part& part, bool one_for_all) {
+    const FootprintSpan& span = part.span;
+    const LevelPlan& level = part.texture->level[static_cast<std::size_t>(part.level)];
+    const auto planes = static_cast<std::uint32_t>(part.texture->planes);
+    const auto salt = static_cast<std::uint32_t>(3 * part.level + 5 * part.texture->texture);
+    for (std::uint32_t ty = span.down.t0;; ty = span.down.t1) {
+      for (std::uint32_t tx = span.across.t0;; tx = span.across.t1) {
+        const TilePlace tile =
+            map_.place(tx, ty, salt, level.base + (ty * level.across + tx) * planes);
+        look_up_tile(draw, static_cast<std::uint32_t>(part.texture->texture), tile, one_for_all);
+        if (tx == span.across.t1) break;
+      }
+      if (ty == span.down.t1) break;
+    }
+  }
+
+  void miss(const DrawPlan& draw, std::uint32_t line) {
+    advance();
+    all_hit_ = false;
+    width_ = std::min<std::size_t>(tmus_, draw.words_of[0] + draw.words_of[1]);
+    lines_.push_back(line);
+  }
+
+  void look_up_tile(const DrawPlan& draw, std::uint32_t texture, const TilePlace& tile,
+                    bool one_for_all) {
+    for (unsigned b = 0; b < draw.beats; ++b) {
+      const BeatPlan& beat = draw.beat[b];
+      for (unsigned w = 0; w < (one_for_all ? 1 : beat.words); ++w) {
+        const WordPlan& word = beat.word[w];
+        if (word.texture != texture) continue;
+        const std::uint32_t line = tile.line + word.plane;
+        if (caches_[w].use(map_.row(tile, word.plane), line)) continue;
+        miss(draw, line);
+        for (unsigned other = 1; one_for_all && other < beat.words; ++other) {
+          miss(draw, tile.line + beat.word[other].plane);
+        }
+      }
+    }
+  }
+
+  std::vector<DrawPlan> draws_;
+  std::size_t tmus_, tile_;
+  SetMap map_;
+  std::vector<TagCache> caches_;
+  LooseTime time_;
+  double input_pace_ = 1, output_pace_ = 1;
+  LooseEye eye_;
+  std::vector<std::uint32_t> lines_;
+  std::size_t width_ = 1;  ///< lines of a rank
+  std::uint64_t first_hash_ = 0, last_hash_ = 0, looked_up_ = 0;
+  bool all_hit_ = false;  ///< in the last walk
+  double saved_beats_ = 0, saved_tags_ = 0, saved_commit_ = 0;
+};
+
+}  // namespace
+
+UnitEstimate estimate_texture_unit(const reference::UnitConfig& unit,
+                                   const reference::UnitState& state, const UnitFrame& frame,
+                                   const MemoryModel& memory, int tile,
+                                   const StreamTiming& timing) {
+  return LooseUnit(unit, state, memory, tile, timing).run(frame.fragments);
+}
+
+}  // namespace ptm::pipeline
