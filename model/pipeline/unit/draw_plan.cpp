@@ -47,6 +47,7 @@ void plan_beats(DrawPlan& plan, unsigned tmus) {
       plan.filter_fields[t] += beat.filter_fields[t];
     }
   }
+  plan.tmus_alike = plan.words_of[0] % tmus == 0 && plan.words_of[1] % tmus == 0;
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ struct DrawPlan {
   /// Of a whole footprint, by texture or in all.
   std::array<unsigned, 2> words_of{}, filter_fields{};
   unsigned address_multiplies = 0;
+  bool tmus_alike = false;  ///< each TMU reads as many words of each texture as the others
   unsigned passes = 1;
   unsigned palette_ports = 0;  ///< 0: the map has no palette
   unsigned eval_multiplies = 0, combine_multiplies = 0;

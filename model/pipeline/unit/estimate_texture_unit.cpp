@@ -16,11 +16,6 @@ constexpr double kDrain = 17;
 /// Cycles after which saved fragments are spent at the latest, so that FIFO and ring are felt.
 constexpr double kSaved = 32;
 
-/// Whether each TMU reads as many words of each texture as the others.
-bool alike(const DrawPlan& draw, unsigned tmus) {
-  return draw.words_of[0] % tmus == 0 && draw.words_of[1] % tmus == 0;
-}
-
 class LooseUnit {
  public:
   LooseUnit(const reference::UnitConfig& unit, const reference::UnitState& state,
@@ -38,6 +33,8 @@ class LooseUnit {
 
   UnitEstimate run(std::span<const UnitFragment> fragments) {
     for (std::size_t n = 0; n < fragments.size();) {
+      prefetch(fragments, n + kAhead * tile_);
+      prefetch(fragments, n + kAhead * tile_ + tile_ - 1);
       const std::size_t length = span_length(fragments.subspan(n));
       draw_span(fragments.subspan(n, length));
       n += length;
@@ -53,6 +50,12 @@ class LooseUnit {
   }
 
  private:
+  /// Most fragments are never looked at, and memory's own prefetch does not guess which are.
+  static constexpr std::size_t kAhead = 12;
+  static void prefetch(std::span<const UnitFragment> fragments, std::size_t n) {
+    if (n < fragments.size()) __builtin_prefetch(&fragments[n]);
+  }
+
   [[nodiscard]] std::size_t span_length(std::span<const UnitFragment> rest) const {
     const UnitFragment& first = rest.front();
     const std::size_t most = std::min(tile_ - first.x % tile_, rest.size());
@@ -67,19 +70,18 @@ class LooseUnit {
 
   void draw_span(std::span<const UnitFragment> span) {
     const DrawPlan& draw = draws_[span.front().draw];
-    const LooseSample last = eye_.look(draw, span.back());
+    const std::uint64_t last = eye_.look(draw, span.back());
     const LooseEye::Part last_part = eye_.parts().front();
-    const LooseSample first = eye_.look(draw, span.front());
-    if (all_hit_ && first.hash == first_hash_ && last.hash == last_hash_) {
-      return spend(first, span.size());
-    }
-    first_hash_ = first.hash;
-    last_hash_ = last.hash;
+    const std::uint64_t first = eye_.look(draw, span.front());
+    if (all_hit_ && first == first_hash_ && last == last_hash_) return spend(span.size());
+    first_hash_ = first;
+    last_hash_ = last;
     all_hit_ = true;
+    cost_ = eye_.cost(draw);
     const LooseEye::Part& part = eye_.parts().front();
     const Distance distance = between(part, span.front(), span.back());
     if (eye_.parts().size() == 1 && along_a_row(part, last_part, distance)) {
-      walk_row(draw, first, part, last_part.span, span.size());
+      walk_row(draw, part, last_part.span, span.size());
     } else {
       walk(draw, first, span, 2 + std::abs(distance.x) + std::abs(distance.y));
     }
@@ -105,45 +107,65 @@ class LooseUnit {
            columns <= distance.x + 1;
   }
 
-  void walk_row(const DrawPlan& draw, const LooseSample& sample, const LooseEye::Part& part,
-                const FootprintSpan& last, std::size_t fragments) {
+  void walk_row(const DrawPlan& draw, const LooseEye::Part& part, const FootprintSpan& last,
+                std::size_t fragments) {
+    const Box box{part.texture,        part.level,
+                  part.span.across.t0, std::max(last.across.t0, last.across.t1),
+                  part.span.down.t0,   part.span.down.t1};
     LooseEye::Part column = part;
-    const std::uint32_t begin = part.span.across.t0;
-    const std::uint32_t count = std::max(last.across.t0, last.across.t1) - begin + 1;
-    const bool one_for_all = alike(draw, static_cast<unsigned>(tmus_));
+    TileSpan& down = column.span.down;
+    const bool upper = !in_box(box, down.t0), lower = !in_box(box, down.t1);
+    box_ = box;
     looked_up_ = 0;
+    if (!upper && !lower) return spend(fragments);
+    if (!upper) down.t0 = down.t1;
+    if (!lower) down.t1 = down.t0;
+    const std::uint32_t count = box.right - box.left + 1;
     std::size_t at = 0;
     for (std::uint32_t n = 0; n < count; ++n) {
-      column.span.across.t0 = column.span.across.t1 = begin + n;
-      look_up_part(draw, column, one_for_all);
+      column.span.across.t0 = column.span.across.t1 = box.left + n;
+      look_up_part(draw, column);
       const std::size_t next = n + 1 == count ? fragments : fragments * (n + 1) / count;
-      if (next != at) spend(sample, next - at);
+      if (next != at) spend(next - at);
       at = next;
     }
   }
 
-  void walk(const DrawPlan& draw, const LooseSample& first, std::span<const UnitFragment> span,
+  /// Tiles that the walk before has just used.
+  struct Box {
+    const TexturePlan* texture = nullptr;
+    int level = 0;
+    std::uint32_t left = 0, right = 0, top = 0, bottom = 0;
+  };
+  [[nodiscard]] bool in_box(const Box& box, std::uint32_t row) const {
+    return box_.texture == box.texture && box_.level == box.level && box_.left <= box.left &&
+           box.right <= box_.right && (row == box_.top || row == box_.bottom);
+  }
+
+  void walk(const DrawPlan& draw, std::uint64_t first, std::span<const UnitFragment> span,
             std::int64_t looks) {
+    box_ = {};
     const std::size_t steps = std::min(span.size(), static_cast<std::size_t>(looks));
-    LooseSample sample = first;
+    std::uint64_t hash = first;
     std::size_t at = 0;
     for (std::size_t step = 0; step < steps; ++step) {
       const std::size_t next = (step + 1) * (span.size() - 1) / std::max<std::size_t>(steps - 1, 1);
       const std::size_t end = step + 1 == steps ? span.size() : std::max(next, at + 1);
-      look_up(draw, sample.hash);
-      spend(sample, end - at);
+      look_up(draw, hash);
+      spend(end - at);
       if (end == span.size()) break;
       at = end;
-      sample = eye_.look(draw, span[at]);
+      hash = eye_.look(draw, span[at]);
+      cost_ = eye_.cost(draw);
     }
   }
 
-  /// Fragments that need what the sample needs. They are saved up until a line is missed.
-  void spend(const LooseSample& sample, std::size_t fragments) {
+  /// Fragments that cost what the one looked at last did. They are saved up until a line is missed.
+  void spend(std::size_t fragments) {
     const auto count = static_cast<double>(fragments);
-    saved_beats_ += sample.beats * count;
-    saved_tags_ += std::max(sample.beats, input_pace_) * count;
-    saved_commit_ += std::max(sample.commit, output_pace_) * count;
+    saved_beats_ += cost_.beats * count;
+    saved_tags_ += std::max(cost_.beats, input_pace_) * count;
+    saved_commit_ += std::max(cost_.commit, output_pace_) * count;
     if (saved_tags_ >= kSaved) advance();
   }
   void advance() {
@@ -157,11 +179,10 @@ class LooseUnit {
   void look_up(const DrawPlan& draw, std::uint64_t hash) {
     if (hash == looked_up_) return;
     looked_up_ = hash;
-    const bool one_for_all = alike(draw, static_cast<unsigned>(tmus_));
-    for (const LooseEye::Part& part : eye_.parts()) look_up_part(draw, part, one_for_all);
+    for (const LooseEye::Part& part : eye_.parts()) look_up_part(draw, part);
   }
 
-  void look_up_part(const DrawPlan& draw, const LooseEye::Part& part, bool one_for_all) {
+  void look_up_part(const DrawPlan& draw, const LooseEye::Part& part) {
     const FootprintSpan& span = part.span;
     const LevelPlan& level = part.texture->level[static_cast<std::size_t>(part.level)];
     const auto planes = static_cast<std::uint32_t>(part.texture->planes);
@@ -170,7 +191,7 @@ class LooseUnit {
       for (std::uint32_t tx = span.across.t0;; tx = span.across.t1) {
         const TilePlace tile =
             map_.place(tx, ty, salt, level.base + (ty * level.across + tx) * planes);
-        look_up_tile(draw, static_cast<std::uint32_t>(part.texture->texture), tile, one_for_all);
+        look_up_tile(draw, static_cast<std::uint32_t>(part.texture->texture), tile);
         if (tx == span.across.t1) break;
       }
       if (ty == span.down.t1) break;
@@ -184,8 +205,8 @@ class LooseUnit {
     lines_.push_back(line);
   }
 
-  void look_up_tile(const DrawPlan& draw, std::uint32_t texture, const TilePlace& tile,
-                    bool one_for_all) {
+  void look_up_tile(const DrawPlan& draw, std::uint32_t texture, const TilePlace& tile) {
+    const bool one_for_all = draw.tmus_alike;
     for (unsigned b = 0; b < draw.beats; ++b) {
       const BeatPlan& beat = draw.beat[b];
       for (unsigned w = 0; w < (one_for_all ? 1 : beat.words); ++w) {
@@ -208,6 +229,8 @@ class LooseUnit {
   LooseTime time_;
   double input_pace_ = 1, output_pace_ = 1;
   LooseEye eye_;
+  LooseCost cost_;
+  Box box_;
   std::vector<std::uint32_t> lines_;
   std::size_t width_ = 1;  ///< lines of a rank
   std::uint64_t first_hash_ = 0, last_hash_ = 0, looked_up_ = 0;
