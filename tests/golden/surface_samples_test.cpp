@@ -1,8 +1,10 @@
 #include "golden/scene/surface_samples.h"
 
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "tests/golden/made_scene.h"
 
@@ -56,7 +58,8 @@ TEST_F(Samples, ComeInTilesFromTheTopLeftAndInScanLinesWithinThem) {
 }
 
 TEST_F(Samples, ComeInScanLinesWhereTheSceneSaysSo) {
-  make(kMap + "[image]\nsize = [5, 3]\ntraversal = \"scan\"\n" + kSquareOn.substr(30) + kLight);
+  make(kMap + "[image]\nsize = [5, 3]\ntraversal = \"scan\"\n" +
+       kSquareOn.substr(kSquareOn.find("[camera]")) + kLight);
   ASSERT_EQ(samples_.size(), 15U);
   for (int n = 0; n < 15; ++n) {
     EXPECT_EQ(samples_[static_cast<std::size_t>(n)].x, n % 5);
@@ -121,7 +124,7 @@ TEST_F(Samples, CoverEveryPixelAtMostOnceAndThePlaneBehindAllBelowTheHorizon) {
   for (int x = 0; x < 96; ++x) EXPECT_TRUE(seen.count({x, 63}));
 }
 
-/// A picture of 63 times as many pixels a side has rays close enough for differences.
+/// A picture of 1001 times as many pixels a side has rays close enough for differences.
 TEST_F(Samples, HaveTheDerivativesOfFiniteDifferences) {
   make(kMap + kThree + kLight);
   const std::vector<SurfaceSample> coarse = samples_;
@@ -129,7 +132,7 @@ TEST_F(Samples, HaveTheDerivativesOfFiniteDifferences) {
   for (std::size_t n = 0; n < coarse.size(); n += 37) {
     const SurfaceSample& s = coarse[n];
     UnitScene fine = scene_;
-    constexpr int k = 63;  // odd: the coarse centre is a fine centre
+    constexpr int k = 1001;  // odd: the coarse centre is a fine centre
     fine.size = {96 * k, 64 * k};
     fine.traversal = Traversal::scan;
     const auto ask = [&](int dx, int dy) {
@@ -146,8 +149,8 @@ TEST_F(Samples, HaveTheDerivativesOfFiniteDifferences) {
     const double period = s.object == 1 ? 2 : 1;
     const double size = std::abs(s.dudx) + std::abs(s.dvdx) + std::abs(s.dudy) + std::abs(s.dvdy);
     if (size > 0.5) continue;  // at limbs and near the horizon curvature wins over any step
-    // Central differences err by a third derivative times (1 / 63)^2 / 6, near limbs it is large.
-    const double bound = 0.01 * size;
+    // Central differences err by a third derivative / 6 k^2: 1e-4 of the largest at the limbs.
+    const double bound = 5e-4 * size;
     const auto du = [&](const auto& a, const auto& b) {
       const double d = b->u - a->u;
       return (s.object < 2 ? std::remainder(d, period) : d) * k / 2;
@@ -170,8 +173,10 @@ TEST_F(Samples, ChooseProbesByTheFootprintsTwoSides) {
   };
   const double unit = 10 * 12 / 2.0;  // uv_scale / unit is du a pixel
   const auto scale = [&](double texels_u, double texels_v) {
-    return "[" + std::to_string(texels_u * unit / 64) + ", " +
-           std::to_string(texels_v * unit / 32) + "]";
+    std::ostringstream text;
+    text << std::setprecision(17) << '[' << texels_u * unit / 64 << ", " << texels_v * unit / 32
+         << ']';
+    return text.str();
   };
   SurfaceSample s = ask(scale(2, 6));
   EXPECT_EQ(s.probes_log2, 2) << "3 times as long as wide";
