@@ -239,6 +239,26 @@ TEST_F(Samples, PutTheLightIntoTheFrameOfTheTexture) {
   EXPECT_TRUE(at(5, 5).lit);
 }
 
+TEST_F(Samples, MirrorTheLightWithTheTextureAndWithTheSideThatIsSeen) {
+  const std::string mirrored =
+      "[image]\nsize = [20, 12]\n[camera]\northographic = true\n[[object]]\nkind = \"plane\"\n"
+      "texture = \"m\"\norigin = [5, 0, 5]\ni = [-10, 0, 0]\nj = [0, 0, -10]\n";
+  make(kMap + mirrored + "[[light]]\ndirection = [0.6, -0.64, 0.48]\n");
+  EXPECT_NEAR(at(5, 5).light[0], -0.6, 1e-12);
+  EXPECT_NEAR(at(5, 5).light[1], 0.48, 1e-12);
+  EXPECT_TRUE(at(5, 5).lit);
+  // A cylinder's inside, seen through the open front: u runs to the left there, v still down.
+  make(kMap +
+       "[image]\nsize = [33, 33]\n[[object]]\nkind = \"cylinder\"\ntexture = \"m\"\ntheta = "
+       "[45, 135]\n[[light]]\ndirection = [0.6, -0.64, 0.48]\n");
+  const SurfaceSample& s = at(16, 16);
+  EXPECT_NEAR(s.u, 0.25, 1e-12);
+  EXPECT_LT(s.dudx, 0);
+  EXPECT_NEAR(s.light[0], -0.6, 1e-12);
+  EXPECT_NEAR(s.light[1], 0.48, 1e-12);
+  EXPECT_TRUE(s.lit);
+}
+
 TEST_F(Samples, OfASphereSeeALightOverTheirHeadsFromTheTextureTop) {
   make(kMap +
        "[image]\nsize = [33, 33]\n[[object]]\nkind = \"sphere\"\ntexture = \"m\"\n"

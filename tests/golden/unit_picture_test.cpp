@@ -1,5 +1,7 @@
 #include "golden/render/unit_picture.h"
 
+#include <OpenImageIO/imageio.h>
+
 #include <cmath>
 #include <iostream>
 
@@ -182,13 +184,58 @@ TEST_F(UnitPicture, OfAMinifiedMapComesNearTheExactAreaAverage) {
 }
 
 TEST_F(UnitPicture, TakesAlphaOfAPictureWithoutMultiplyingIt) {
-  // OpenImageIO's own writer: RGBA of 2 x 1.
+  const auto png = OIIO::ImageOutput::create("png");
+  OIIO::ImageSpec spec(2, 1, 4, OIIO::TypeDesc::UINT8);
+  spec["oiio:UnassociatedAlpha"] = 1;
+  const std::array<std::uint8_t, 8> samples{10, 20, 30, 40, 250, 60, 70, 0};
+  ASSERT_TRUE(png->open((folder_ / "a.png").string(), spec) &&
+              png->write_image(OIIO::TypeDesc::UINT8, samples.data()) && png->close());
+  EXPECT_EQ(read_picture_with_alpha(folder_ / "a.png").samples,
+            (std::vector<double>{10, 20, 30, 40, 250, 60, 70, 0}));
+  EXPECT_EQ(read_picture(folder_ / "a.png").samples,
+            (std::vector<double>{10, 20, 30, 250, 60, 70}));
   std::ofstream(folder_ / "c.ppm") << "P3 2 1 255 10 20 30 40 50 60\n";
   const ImageReal plain = read_picture_with_alpha(folder_ / "c.ppm");
   EXPECT_EQ(plain.samples, (std::vector<double>{10, 20, 30, 255, 40, 50, 60, 255}));
   std::ofstream(folder_ / "g.pgm") << "P2 1 1 255 77\n";
   EXPECT_EQ(read_picture_with_alpha(folder_ / "g.pgm").samples,
             (std::vector<double>{77, 77, 77, 255}));
+}
+
+TEST_F(UnitPicture, HasCapturesAndBumpMapsAsTheirOwnProgramsFitThem) {
+  // Lambert's law on a flat white surface, and a ramp that rises to the right.
+  std::string lights = "8\n";
+  for (int n = 0; n < 8; ++n) {
+    const double w = n < 4 ? 0.9 : 0.5, r = std::sqrt(1 - w * w), angle = 0.7 * n;
+    const std::string name = std::to_string(n) + ".png";
+    write_picture(folder_ / name, [&] {
+      Image8 flat(3, 2, 3);
+      for (auto& s : flat.samples) s = static_cast<std::uint8_t>(200 * w);
+      return flat;
+    }());
+    lights += name + " " + std::to_string(r * std::cos(angle)) + " " +
+              std::to_string(r * std::sin(angle)) + " " + std::to_string(w) + "\n";
+  }
+  write("c.lp", lights);
+  Image8 ramp(3, 1, 1);
+  ramp.samples = {0, 51, 102};
+  write_picture(folder_ / "ramp.png", ramp);
+  const UnitScene scene = read(
+      "[[texture]]\nname = \"c\"\ncapture = \"c.lp\"\n[[texture]]\nname = \"r\"\ncapture = "
+      "\"c.lp\"\nformat = \"rgb\"\n[[texture]]\nname = \"b\"\nbump = \"ramp.png\"\nstrength = 5"
+      "\n[[object]]\nkind = \"plane\"\ntexture = \"c\"\n[[light]]\ndirection = [0, 0]\n");
+  const LoadedTextures textures = load_textures(scene);
+  EXPECT_EQ(textures[0].width, 3);
+  EXPECT_EQ(textures[0].polynomials, 1);
+  EXPECT_EQ(textures[1].polynomials, 3);
+  for (std::size_t t = 0; t < 2; ++t) {
+    const MipTexture mips(textures[t], false);
+    EXPECT_NEAR(mips.texel(0, 2, 1, {0.4358, 0})[1], 180, 2) << t;
+  }
+  // Slope 5 * 51 / 255 = 1: the normal leans to the left by 45 degrees.
+  const MipTexture bump(textures[2], false);
+  const double from_left = bump.texel(0, 1, 0, {-0.7, 0})[0];
+  EXPECT_GT(from_left, bump.texel(0, 1, 0, {0.7, 0})[0] + 100);
 }
 
 TEST_F(UnitPicture, RefusesTexturesThatHardwareCannotHold) {

@@ -1,5 +1,7 @@
 #include "golden/scene/unit_scene.h"
 
+#include <iterator>
+
 #include "tests/golden/made_scene.h"
 
 namespace ptm::golden {
@@ -159,6 +161,15 @@ TEST_F(UnitSceneFile, GivesADrawTheSamplingOfItsTexturesIfTheyDoNotDiffer) {
 TEST_F(UnitSceneFile, IsToldFromAFlatScene) {
   EXPECT_TRUE(is_unit_scene(write("a.toml", kPlane)));
   EXPECT_FALSE(is_unit_scene(write("b.toml", "[map]\nfile = \"a.ptm\"\n")));
+}
+
+TEST_F(UnitSceneFile, AsTheSpecificationShowsItCanBeRead) {
+  std::ifstream in(std::filesystem::path(PTM_SOURCE_DIR) / "docs" / "spec" / "scene.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t begin = page.rfind("```toml") + 8;
+  const UnitScene scene = read(page.substr(begin, page.rfind("```") - begin));
+  EXPECT_EQ(scene.objects.size(), 2U);
+  EXPECT_EQ(scene.draws.size(), 2U);
 }
 
 struct Bad {
