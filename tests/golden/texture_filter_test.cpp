@@ -151,6 +151,7 @@ TEST(TextureFilter, AveragesProbesCentredOnThePoint) {
   // Probes at 0.5 +- 1/16, +- 3/16 of the width: texels 2, 3, 4, 5.
   EXPECT_DOUBLE_EQ(red(mips, {.u = 0.5, .v = 0.5, .axis_u = 0.125, .probes = 4, .filter = point}),
                    3.5);
+  EXPECT_DOUBLE_EQ(red(mips, {.u = 0.5, .v = 0.5, .axis_u = 0.125, .probes = 4}), 3.5);
   EXPECT_DOUBLE_EQ(
       red(mips, {.u = 0.5625, .v = 0.5, .axis_u = 0.125, .probes = 1, .filter = point}), 4);
 }

@@ -74,6 +74,23 @@ TEST_F(UnitPicture, OfAMapSeenSquareOnIsTheLitMap) {
   }
 }
 
+TEST_F(UnitPicture, LightsTexelsOfLevelZeroAsTheMapsOwnRendererDoesToTheBit) {
+  for (const MapKind kind : {MapKind::lrgb, MapKind::rgb}) {
+    const PtmMap map = made_map(kind, 12, 8);
+    write_ptm(folder_ / "m.ptm", map);
+    draw("[[texture]]\nname = \"m\"\nptm = \"m.ptm\"\n" + square_on(12, 8, "texture = \"m\"\n") +
+         "[[light]]\ndirection = [0.3, 0.7]\n");
+    const MipTexture mips(textures_[0], false);
+    for (int j = 0; j < 8; ++j) {
+      for (int i = 0; i < 12; ++i) {
+        const Rgb lit = light_texel(map, static_cast<std::size_t>(j * 12 + i), 0.3, 0.7);
+        const Rgba texel = mips.texel(0, i, j, {0.3, 0.7});
+        for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(texel[c], lit[c]);
+      }
+    }
+  }
+}
+
 TEST_F(UnitPicture, StandsUprightOnEveryShape) {
   const std::string gradient =
       "[[texture]]\nname = \"g\"\ngenerate = \"gradient\"\nkind = \"picture\"\nfilter = "
