@@ -64,11 +64,12 @@ class Averager {
         shape.begin(), shape.end(), [](const Corner& a, const Corner& b) { return a.y < b.y; });
     const double x0 = std::floor(left->x), x1 = std::ceil(right->x);
     const double y0 = std::floor(top->y), y1 = std::ceil(bottom->y);
-    const bool exact = area_of(shape) >= 1e-9 && (x1 - x0) * (y1 - y0) <= kMostTexels;
-    if (exact) {
-      add_exactly(shape, x0, x1, y0, y1);
+    if (area_of(shape) < kLeastArea) {
+      add_samples(kLineGrid);
+    } else if ((x1 - x0) * (y1 - y0) > kMostTexels) {
+      add_samples(kGrid);
     } else {
-      add_samples();
+      add_exactly(shape, x0, x1, y0, y1);
     }
     for (double& value : sum_) value /= weight_;
     return sum_;
@@ -97,10 +98,10 @@ class Averager {
     }
   }
 
-  void add_samples() {
-    for (int b = 0; b < kGrid; ++b) {
-      for (int a = 0; a < kGrid; ++a) {
-        const Corner c = at((a + 0.5) / kGrid - 0.5, (b + 0.5) / kGrid - 0.5);
+  void add_samples(int grid) {
+    for (int b = 0; b < grid; ++b) {
+      for (int a = 0; a < grid; ++a) {
+        const Corner c = at((a + 0.5) / grid - 0.5, (b + 0.5) / grid - 0.5);
         add(std::floor(c.x), std::floor(c.y), 1);
       }
     }

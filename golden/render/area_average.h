@@ -13,14 +13,18 @@ struct PixelFootprint {
 /// the yardstick for filters. Clamped coordinates repeat the edge's texels outwards.
 ///
 /// Each texel weighs by the area of its square within the parallelogram, found by clipping: exact
-/// but for rounding (1e-12 of the area). A footprint whose box holds more than kMostTexels, or of
-/// less than 1e-9 of a texel's area, is sampled at the centres of kGrid x kGrid equal parts
-/// instead; a part that a texel's border crosses may then be counted whole for one side, an error
-/// of at most 255 times their share, and of none for the thin footprint's short side.
+/// but for rounding (1e-12 of the area). Sampled instead, at the centres of n x n equal parts, are
+/// footprints whose box holds more than kMostTexels (n = kGrid) and those of less than kLeastArea
+/// of a texel, which are lines or points (n = kLineGrid). Error then at most 255 times the share of
+/// the parts that a texel's border crosses: for a line 255 / kLineGrid for each border, to either
+/// side alike; where there are more texels than parts it is the noise of kGrid^2 samples of them, s
+/// / 256 with s the deviation among texels.
 [[nodiscard]] Rgba area_average(const MipTexture& texture, const PixelFootprint& footprint,
                                 WrapMode wrap_u, WrapMode wrap_v,
                                 const std::array<double, 2>& light);
 inline constexpr double kMostTexels = 65536;
 inline constexpr int kGrid = 256;
+inline constexpr double kLeastArea = 1e-9;
+inline constexpr int kLineGrid = 64;
 
 }  // namespace ptm::golden

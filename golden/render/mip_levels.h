@@ -31,7 +31,7 @@ class MipTexture {
   [[nodiscard]] int width(int level) const;
   [[nodiscard]] int height(int level) const;
   /// A texel, lit if it is a map's (alpha 255) and clamped to [0, 255]; indices within the level.
-  /// On level 0 the same as light_texel() gives, to the bit.
+  /// On level 0 the same as light_texel() gives, to the bit (LUM files: nearly).
   [[nodiscard]] Rgba texel(int level, int i, int j, const std::array<double, 2>& light) const;
 
  private:

@@ -12,7 +12,7 @@ struct TextureQuery {
   double axis_u = 0, axis_v = 0;  ///< from one probe to the next
   int probes = 1;
   double lod = 0;  ///< of this texture; negative where magnified
-  FilterMode filter;
+  FilterMode filter{};
   WrapMode wrap_u = WrapMode::repeat, wrap_v = WrapMode::repeat;
   std::array<double, 2> light{};
 };

@@ -12,12 +12,6 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\f\v";
 
-std::string in_quotes(std::string_view text) {
-  std::string out = "'";
-  out.append(quoted(text)).append("'");
-  return out;
-}
-
 class ObjReader {
  public:
   explicit ObjReader(const std::filesystem::path& path) : path_(path) {}
@@ -79,7 +73,7 @@ class ObjReader {
     } else if (key == "f") {
       take_face(fields);
     } else if (std::find(kPassed.begin(), kPassed.end(), key) == kPassed.end()) {
-      fail(in_quotes(key), "v, vt, vn or f");
+      fail(quoted(key), "v, vt, vn or f");
     }
   }
 
@@ -91,7 +85,7 @@ class ObjReader {
   double number(std::string_view text) const {
     const auto value = parse_real(text);
     // Beyond that squares of lengths are no numbers any more.
-    if (!value || std::abs(*value) > 1e100) fail(in_quotes(text), "a finite number");
+    if (!value || std::abs(*value) > 1e100) fail(quoted(text), "a finite number");
     return *value;
   }
 
@@ -110,7 +104,7 @@ class ObjReader {
         static_cast<std::int64_t>(std::min<std::size_t>(count, std::numeric_limits<int>::max()));
     const auto value = parse_integer(text, -most, most);
     if (!value || *value == 0) {
-      fail(in_quotes(text),
+      fail(quoted(text),
            std::string("an index of one of the ") + std::to_string(count) + " " + what + " so far");
     }
     return static_cast<int>(*value > 0 ? *value - 1 : most + *value);
@@ -121,7 +115,7 @@ class ObjReader {
     std::array<std::string_view, 3> parts;
     std::size_t n = 0;
     for (std::string_view rest = text;; ++n) {
-      if (n == 3) fail(in_quotes(text), "at most v/vt/vn");
+      if (n == 3) fail(quoted(text), "at most v/vt/vn");
       const std::size_t slash = rest.find('/');
       parts[n] = rest.substr(0, slash);
       if (slash == std::string_view::npos) break;

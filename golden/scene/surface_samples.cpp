@@ -177,6 +177,15 @@ std::vector<SurfaceSample> make_samples(const UnitScene& scene, const LoadedText
   return samples;
 }
 
+std::optional<SurfaceSample> sample_pixel(const UnitScene& scene, const LoadedTextures& textures,
+                                          int frame, int x, int y) {
+  const Sampler sampler(scene, textures, scene.lights.at(static_cast<std::size_t>(frame)));
+  std::vector<SurfaceSample> samples;
+  sampler.add(x, y, x + 1, y + 1, samples);
+  if (samples.empty()) return std::nullopt;
+  return samples.front();
+}
+
 double color_lod(const DrawSpec& draw, const LoadedTextures& textures) {
   if (draw.map < 0 || draw.color < 0) return 0;
   const LoadedTexture& map = textures[static_cast<std::size_t>(draw.map)];

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "golden/scene/textures.h"
@@ -47,6 +48,11 @@ struct SurfaceSample {
 /// file. `frame` is a light's index (std::out_of_range).
 [[nodiscard]] std::vector<SurfaceSample> make_samples(const UnitScene& scene,
                                                       const LoadedTextures& textures, int frame);
+
+/// One pixel of the same; nothing if no object covers it.
+[[nodiscard]] std::optional<SurfaceSample> sample_pixel(const UnitScene& scene,
+                                                        const LoadedTextures& textures, int frame,
+                                                        int x, int y);
 
 inline constexpr double kGrazingCosine = 1e-6;
 inline constexpr double kLargestDerivative = 64;

@@ -127,6 +127,11 @@ double Reader::number(const toml::node& node, const std::string& key) const {
   return found->get();
 }
 
+std::string TableReader::name(std::string_view key) const {
+  if (key.empty() && !prefix_.empty()) return prefix_.substr(0, prefix_.size() - 1);
+  return prefix_ + std::string(key);
+}
+
 std::string TableReader::place(std::string_view key) const {
   const toml::node* node = find(key);
   return Reader::place(node ? *node : *table_, name(key));

@@ -62,7 +62,8 @@ class TableReader {
 
   [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
   [[nodiscard]] const toml::node* find(std::string_view key) const { return table_->get(key); }
-  [[nodiscard]] std::string name(std::string_view key) const { return prefix_ + std::string(key); }
+  /// A key's full name; of no key, the table's.
+  [[nodiscard]] std::string name(std::string_view key) const;
   /// About a key, or about the table if the key is absent.
   [[nodiscard]] std::string place(std::string_view key) const;
   [[noreturn]] void fail(std::string_view key, const std::string& found,

@@ -98,7 +98,7 @@ struct DrawSpec {
   CombineMode combine = CombineMode::none;
   double ka = 0, kd = 1;
   WrapMode wrap_u = WrapMode::repeat, wrap_v = WrapMode::repeat;
-  FilterMode filter;
+  FilterMode filter{};
   int probes = 1;  ///< most probes of footprint assembly; a power of two
   bool operator==(const DrawSpec&) const = default;
   /// The texture whose texels `SurfaceSample::lod` counts.
