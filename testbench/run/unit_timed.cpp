@@ -1,6 +1,7 @@
 // The models of the whole unit that know time, each in a process of its own.
 #include <stdexcept>
 
+#include "model/pipeline/estimate_texture_unit.h"
 #include "model/pipeline/simulate_texture_unit.h"
 #include "testbench/run/stopwatch.h"
 #include "testbench/run/unit_models.h"
@@ -11,6 +12,9 @@ namespace {
 
 using pipeline::UnitFrame;
 using pipeline::UnitFrameResult;
+using reference::UnitCounter;
+
+constexpr int kScanSpan = 16;  ///< of a scan line, for timing loose
 
 /// A frame to draw, and whether it counts or only warms the caches.
 struct PlannedFrame {
@@ -49,9 +53,46 @@ UnitFrameResult get(ResultFile& file) {
   return frame;
 }
 
+/// Timing loose, frame by frame. It keeps no state: where a frame finds the caches as the ones
+/// before left them, its time is that of all of them less that of the ones before.
+void estimate(const UnitJob& job, const pipeline::UnitSimulation& simulation) {
+  const int tile = job.scene.traversal == golden::Traversal::tiles ? job.scene.tile : kScanSpan;
+  const auto run = [&](std::span<const reference::UnitFragment> fragments) {
+    return pipeline::estimate_texture_unit(simulation.unit, *simulation.state, {fragments},
+                                           simulation.memory, tile, simulation.timing);
+  };
+  std::vector<reference::UnitFragment> before;
+  pipeline::UnitEstimate spent;
+  for (std::size_t n = 0; n < simulation.frames.count; ++n) {
+    const UnitFrame frame = simulation.frames.make(n);
+    if (!frame.keep_cache) {
+      before.clear();
+      spent = {};
+    }
+    pipeline::UnitEstimate all;
+    if (before.empty()) {
+      all = run(frame.fragments);
+      if (simulation.frames.count > 1)
+        before.assign(frame.fragments.begin(), frame.fragments.end());
+    } else {
+      before.insert(before.end(), frame.fragments.begin(), frame.fragments.end());
+      all = run(before);
+    }
+    UnitFrameResult result;
+    result.counters[UnitCounter::fragments] = frame.fragments.size();
+    result.counters[UnitCounter::pixels] = frame.fragments.size();
+    result.counters[UnitCounter::cycles] = all.cycles - spent.cycles;
+    result.counters[UnitCounter::beats] = all.beats - spent.beats;
+    result.counters[UnitCounter::lines_read] = all.lines_read - spent.lines_read;
+    spent = all;
+    simulation.frames.take(n, std::move(result));
+  }
+}
+
 void run_model(const UnitJob& job, const std::string& model,
                const pipeline::UnitSimulation& simulation) {
   if (model == "pipeline") return pipeline::simulate_texture_unit(simulation);
+  if (model == "loose") return estimate(job, simulation);
   if (model == "rtl") return simulate_unit_rtl(job, simulation);
   throw std::invalid_argument("no timed model '" + model + "'");
 }
