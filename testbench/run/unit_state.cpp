@@ -128,11 +128,13 @@ class StateBuilder {
   Placed place_palette(int index, const golden::LoadedTexture& texture, int levels) {
     const golden::TextureSpec& spec = scene_.textures[static_cast<std::size_t>(index)];
     const bool rgb = texture.polynomials == 3;
-    if (spec.palette > (rgb ? kEntriesRgb : kEntriesLrgb)) {
-      refuse(spec, std::to_string(spec.palette) + " palette entries",
+    const int most = rgb ? kEntriesRgb : kEntriesLrgb;
+    const int entries = spec.palette == golden::kFullPalette ? most : spec.palette;
+    if (entries > most) {
+      refuse(spec, std::to_string(entries) + " palette entries",
              rgb ? "at most 4096 for an RGB map" : "at most 256 for an LRGB map");
     }
-    const UnitMap map = store_unit_palette(real_texture(texture), levels, spec.palette, config_);
+    const UnitMap map = store_unit_palette(real_texture(texture), levels, entries, config_);
     Placed placed = placed_map(map, rgb ? TextureFormat::palette_rgb : TextureFormat::palette_lrgb);
     if (rgb) {
       if (!state_.palettes.rgb.empty()) refuse(spec, "a second RGB palette", "at most one");

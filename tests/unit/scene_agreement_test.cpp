@@ -42,7 +42,7 @@ TEST_P(UnitScenes, AgreeInEveryPixelCycleAndCounter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, UnitScenes, testing::ValuesIn(unit_scene_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& scene) { return scene.param; });
 
 TEST(UnitSceneList, HoldsAtLeastFortyScenes) { EXPECT_GE(unit_scene_names().size(), 40U); }
 
