@@ -1,5 +1,7 @@
 #include "golden/scene/generate.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -111,6 +113,11 @@ void add_map_texel(const Stuff& stuff, const NormalTable& table, LoadedTexture& 
   }
 }
 
+template <class Value>
+void append(std::vector<Value>& to, const std::vector<Value>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
 LoadedTexture generate_texture(const TextureSpec& spec) {
@@ -120,16 +127,24 @@ LoadedTexture generate_texture(const TextureSpec& spec) {
   texture.height = spec.size[1];
   texture.polynomials = spec.plain ? 0 : spec.kind == MapKind::rgb ? 3 : 1;
   const NormalTable table(BumpDomain::hemisphere);
-  for (int y = 0; y < texture.height; ++y) {
+  std::vector<LoadedTexture> rows(static_cast<std::size_t>(texture.height));
+  tbb::parallel_for(0, texture.height, [&](int y) {
+    LoadedTexture& row = rows[static_cast<std::size_t>(y)];
+    row.polynomials = texture.polynomials;
     for (int x = 0; x < texture.width; ++x) {
       const Stuff stuff = stuff_at(spec, x, y);
       if (!spec.plain) {
-        add_map_texel(stuff, table, texture);
+        add_map_texel(stuff, table, row);
         continue;
       }
-      for (const double c : stuff.color) texture.rgba.push_back(level(c));
-      texture.rgba.push_back(level(stuff.alpha));
+      for (const double c : stuff.color) row.rgba.push_back(level(c));
+      row.rgba.push_back(level(stuff.alpha));
     }
+  });
+  for (const LoadedTexture& row : rows) {
+    append(texture.coef, row.coef);
+    append(texture.color, row.color);
+    append(texture.rgba, row.rgba);
   }
   return texture;
 }

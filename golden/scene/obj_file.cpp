@@ -84,8 +84,8 @@ class ObjReader {
 
   double number(std::string_view text) const {
     const auto value = parse_real(text);
-    // Beyond that squares of lengths are no numbers any more.
-    if (!value || std::abs(*value) > 1e100) fail(quoted(text), "a finite number");
+    // Beyond that the squares of areas would be no numbers before long.
+    if (!value || std::abs(*value) > 1e30) fail(quoted(text), "a finite number");
     return *value;
   }
 

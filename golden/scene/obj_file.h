@@ -31,8 +31,8 @@ struct ObjMesh {
 /// Passed over: o, g, s, usemtl, mtllib, l, p, # and blank lines, further numbers of v (weight or
 /// colour) and vt.
 /// Throws InputError with the line: other keywords (free-form surfaces), too few or bad numbers, an
-/// index of nothing, a face of fewer than three corners, a normal of no length; and for a file
-/// without a triangle.
+/// index of nothing, a face of fewer than three corners, a normal of no length, numbers beyond
+/// 1e30; and for a file without a triangle.
 [[nodiscard]] ObjMesh read_obj(const std::filesystem::path& path);
 
 }  // namespace ptm::golden
