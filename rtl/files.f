@@ -1,4 +1,4 @@
-// Every module of the evaluator, in order: a package first, users after what they use.
+// Every module, in order: a package first, users after what they use.
 rtl/ptm_pkg.sv
 rtl/ptm_narrow.sv
 rtl/ptm_saturate.sv
@@ -17,3 +17,22 @@ rtl/ptm_stream_reg.sv
 rtl/ptm_stream_fifo2.sv
 rtl/ptm_rgb_assemble.sv
 rtl/ptm_evaluator.sv
+rtl/ptm_unit_pkg.sv
+rtl/ptm_draw_select.sv
+rtl/ptm_palette_schedule.sv
+rtl/ptm_palette_control.sv
+rtl/ptm_palette_word.sv
+rtl/ptm_port_select.sv
+rtl/ptm_tap_hold.sv
+rtl/ptm_lane_tap.sv
+rtl/ptm_filter_lane.sv
+rtl/ptm_filter_field.sv
+rtl/ptm_filter_fields.sv
+rtl/ptm_filter.sv
+rtl/ptm_combine_products.sv
+rtl/ptm_combine_scale.sv
+rtl/ptm_combine.sv
+rtl/ptm_multiply_count.sv
+rtl/ptm_unit_back.sv
+rtl/ptm_draw_check.sv
+rtl/ptm_unit_registers.sv

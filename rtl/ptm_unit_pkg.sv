@@ -12,6 +12,12 @@ package ptm_unit_pkg;
   localparam int SideBits  = 13;  // a texture's width or height
   localparam int IndexBits = 12;  // of a texel in its row
   localparam int Fields    = 26;  // of a filtered fragment
+  localparam int Counters  = 37;
+  // Widths of the structs below. Ports that hold several of them are plain vectors, item 0 lowest:
+  // Yosys 0.23 reads `draw_t [3:0] port` as one draw_t, without a word.
+  localparam int TextureW = 2 * SideBits + 4 + LevelsMax * LineBits;
+  localparam int DrawW    = 27 + 2 * TextureW + 6 * 12 + 6 * 5 + 2 + 27;
+  localparam int TapsW    = 4 + 4 * 32;
 
   localparam logic [2:0] FormatNone = 0, FormatLrgb = 1, FormatRgb = 2, FormatPaletteLrgb = 3,
                          FormatPaletteRgb = 4;

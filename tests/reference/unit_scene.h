@@ -42,9 +42,10 @@ class UnitSceneMaker {
  public:
   explicit UnitSceneMaker(std::uint64_t seed) : rng_(seed) {}
 
-  UnitScene scene(int draws = 4) {
+  UnitScene scene(int draws = 4) { return scene(config(), draws); }
+  UnitScene scene(const reference::EvalConfig& built_for, int draws = 4) {
     UnitScene out;
-    out.config = config();
+    out.config = built_for;
     fill_palettes(out);
     for (int d = 0; d < draws; ++d) add_draw(out);
     return out;

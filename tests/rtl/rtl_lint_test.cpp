@@ -25,6 +25,31 @@ TEST_P(RtlLint, TheEvaluatorIsClean) {
 INSTANTIATE_TEST_SUITE_P(Presets, RtlLint, testing::ValuesIn(kPresets),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
+class RtlLintBack : public testing::TestWithParam<const char*> {};
+
+TEST_P(RtlLintBack, TheUnitsBackIsClean) {
+  const tests::ToolRun run = tests::run_tool(
+      "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f --top-module ptm_unit_back " +
+      std::string(GetParam()));
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(run.output, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Builds, RtlLintBack,
+    testing::Values("-GTmus=1 -GPaletteLrgbPorts=1 -GPaletteRgbPorts=2",
+                    "-GTmus=2 -GPaletteLrgbPorts=2 -GPaletteRgbPorts=4 -GCoefBits=5 -GDeltaBits=6",
+                    "-GTmus=3 -GCoefBits=10 -GDeltaBits=11 -GFilterFrac=4 -GRoundNearest=0"),
+    [](const auto& tested) { return "Tmus" + std::to_string(tested.index + 1); });
+
+TEST(RtlLintRegisters, TheUnitsRegistersAreClean) {
+  const tests::ToolRun run = tests::run_tool(
+      "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f --top-module "
+      "ptm_unit_registers");
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(run.output, "");
+}
+
 TEST(RtlLintLerp, TheLerpIsClean) {
   const tests::ToolRun run = tests::run_tool(
       "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f --top-module ptm_lerp");

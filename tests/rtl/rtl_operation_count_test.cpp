@@ -32,33 +32,47 @@ void add_instances(const nlohmann::json& modules, const std::string& module, Mod
   }
 }
 
-std::string yosys_script(const EvalConfig& config, const std::string& json) {
+std::string read_all() {
   std::string script = "read_verilog -sv -Irtl";
   for (const std::string& file : tests::rtl_files()) script += ' ' + file;
-  script += "; chparam";
+  return script;
+}
+
+/// "; hierarchy ..." to the file of counts.
+std::string write_top(const std::string& top, const std::string& json) {
+  return "; hierarchy -top " + top + "; proc; opt_clean; write_json " + json;
+}
+
+std::string yosys_script(const EvalConfig& config, const std::string& json) {
+  std::string script = read_all() + "; chparam";
   for (const NamedParameter& parameter : rtl_parameters(config)) {
     // Yosys 0.23 does not read a negative decimal.
     std::array<char, 16> hex{};
     std::snprintf(hex.data(), hex.size(), "32'h%08x", static_cast<unsigned>(parameter.value));
     script += " -set " + std::string(parameter.name) + ' ' + hex.data();
   }
-  return script + " ptm_evaluator; hierarchy -top ptm_evaluator; proc; opt_clean; write_json " +
-         json;
+  return script + " ptm_evaluator" + write_top("ptm_evaluator", json);
+}
+
+ModuleCounts run_yosys(const std::string& script, const std::string& top, const std::string& json) {
+  const tests::ToolRun run = tests::run_tool("yosys -q -p \"" + script + "\"");
+  EXPECT_EQ(run.status, 0) << run.output;
+  ModuleCounts counts;
+  std::ifstream file(json);
+  if (run.status == 0) {
+    const nlohmann::json modules = nlohmann::json::parse(file).at("modules");
+    for (const auto& [module, body] : modules.items()) {  // a parameter changes the top's name
+      if (base_name(module) == top) add_instances(modules, module, counts);
+    }
+  }
+  std::filesystem::remove(json);
+  return counts;
 }
 
 ModuleCounts count_operators(const Preset& preset) {
   const std::string json =
       testing::TempDir() + "ptm_operation_count_" + std::string(preset.name) + ".json";
-  const tests::ToolRun run =
-      tests::run_tool("yosys -q -p \"" + yosys_script(preset.config, json) + "\"");
-  EXPECT_EQ(run.status, 0) << run.output;
-  ModuleCounts counts;
-  std::ifstream file(json);
-  if (run.status == 0) {
-    add_instances(nlohmann::json::parse(file).at("modules"), "ptm_evaluator", counts);
-  }
-  std::filesystem::remove(json);
-  return counts;
+  return run_yosys(yosys_script(preset.config, json), "ptm_evaluator", json);
 }
 
 int sum_of(const ModuleCounts& counts, std::initializer_list<const char*> modules,
@@ -117,6 +131,29 @@ TEST_P(RtlOperationCount, FindsNoMultiplyInAnyOtherModule) {
 
 INSTANTIATE_TEST_SUITE_P(Presets, RtlOperationCount, testing::ValuesIn(kPresets),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+/// docs/spec/unit-timing.md, Operators: three lerps a lane, one a field, U11's six and the
+/// evaluator's eleven.
+TEST(RtlUnitOperationCount, TheBackMultipliesInLerpsCombineAndEvaluatorOnly) {
+  for (const int tmus : {1, 2, 3}) {
+    const std::string json =
+        testing::TempDir() + "ptm_unit_operation_count_" + std::to_string(tmus) + ".json";
+    const std::string script = read_all() + "; chparam -set Tmus " + std::to_string(tmus) +
+                               " ptm_unit_back" + write_top("ptm_unit_back", json);
+    const ModuleCounts counts = run_yosys(script, "ptm_unit_back", json);
+    const int lanes = 4 * tmus + 14, fields = 26;
+    EXPECT_EQ(sum_of(counts, {"ptm_lerp"}, "$mul"), 3 * lanes + fields) << tmus;
+    EXPECT_EQ(sum_of(counts, {"ptm_combine_products"}, "$mul"), 6) << tmus;
+    int all = 0;
+    for (const auto& [module, own] : counts) {
+      for (const auto& [type, count] : own) {
+        all += type == "$mul" ? count : 0;
+        EXPECT_TRUE(type != "$div" && type != "$mod" && type != "$macc") << module << ' ' << type;
+      }
+    }
+    EXPECT_EQ(all, 3 * lanes + fields + 6 + 11) << tmus;
+  }
+}
 
 }  // namespace
 }  // namespace ptm::reference

@@ -1,0 +1,68 @@
+// Multiplies that a beat or a fragment does; docs/spec/unit.md, What counts as a multiply.
+//
+// A word that fetches a tap does 3 a field if the draw is bilinear, 1 a field if its texture is in
+// its second footprint. Combinational.
+module ptm_multiply_count #(
+  parameter int Tmus = 3
+) (
+  // A beat
+  input  logic [2:0] format_i,
+  input  logic       bilinear_i,
+  input  logic       color_i,
+  input  logic [2:0] group_i,
+  input  logic       second_i,
+  input  logic       map_fetched_i,
+  input  logic       color_fetched_i,
+  output logic [7:0] filter_o,
+  // A fragment
+  input  logic [2:0] o_format_i,
+  input  logic [2:0] o_combine_i,
+  output logic [4:0] eval_o,
+  output logic [2:0] combine_o
+);
+  // Fields of the map's words in the beat, and of the colour texture's
+  logic [5:0] map_fields, color_fields, fields;
+  logic [2:0] planes;
+  always_comb begin
+    map_fields = '0;
+    planes     = 3'd1;
+    case (format_i)
+      ptm_unit_pkg::FormatNone: planes = 3'd0;
+      ptm_unit_pkg::FormatLrgb: planes = 3'd3;
+      ptm_unit_pkg::FormatRgb:  planes = 3'd6;
+      default: ;
+    endcase
+    for (int w = 0; w < 6; w++) begin
+      if (3'(w) < planes && group_i == 3'(w / Tmus)) begin
+        case (format_i)
+          ptm_unit_pkg::FormatPaletteLrgb: map_fields = 6'd9;
+          ptm_unit_pkg::FormatPaletteRgb:  map_fields = 6'd18;
+          ptm_unit_pkg::FormatLrgb:        map_fields = map_fields + (w == 2 ? 6'd4 : 6'd3);
+          default:                         map_fields = map_fields + 6'd3;
+        endcase
+      end
+    end
+    color_fields = '0;
+    for (int w = 0; w < 7; w++) begin
+      if (color_i && 3'(w) == planes && group_i == 3'(w / Tmus)) color_fields = 6'd4;
+    end
+  end
+  assign fields   = (map_fetched_i ? map_fields : '0) + (color_fetched_i ? color_fields : '0);
+  assign filter_o = (bilinear_i ? 8'(fields) + {1'b0, fields, 1'b0} : '0) +
+                    (second_i ? 8'(fields) : '0);
+
+  always_comb begin
+    case (o_format_i)
+      ptm_unit_pkg::FormatNone: eval_o = 5'd0;
+      ptm_unit_pkg::FormatRgb,
+      ptm_unit_pkg::FormatPaletteRgb: eval_o = 5'd24;
+      default: eval_o = 5'd11;
+    endcase
+    case (o_combine_i)
+      ptm_unit_pkg::CombineModulate: combine_o = 3'd3;
+      ptm_unit_pkg::CombineDecal,
+      ptm_unit_pkg::CombineBlend: combine_o = 3'd6;
+      default: combine_o = 3'd0;
+    endcase
+  end
+endmodule

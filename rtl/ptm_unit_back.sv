@@ -1,0 +1,174 @@
+// The back of the texture unit: from the taps of a beat in D to the pixel. Wiring only.
+//
+//   D |P| U7 |L1| U7 |L2| U8 |L3| U9 U10 |O| D1..D7 (evaluator) | U11 products |C1| result |C2|
+//
+// Values: docs/spec/unit.md. Cycles: docs/spec/unit-timing.md; what leaves D in cycle c as a
+// fragment's only beat is offered as a pixel in cycle c + 15 if nothing stalls. D itself belongs to
+// the front, with what stands in it, until d_valid_i and d_ready_o are high together.
+//
+// Twin: shade() in model/reference/unit/shade.h.
+`include "ptm_assert.svh"
+module ptm_unit_back #(
+  // EvalConfig; as ptm_evaluator, but CoefBits at most 10
+  parameter int CoefBits     = 8,
+  parameter int DeltaBits    = 9,
+  parameter int LightInt     = 2,
+  parameter int LightFrac    = 8,
+  parameter int BasisFrac    = 8,
+  parameter int Guard        = 4,
+  parameter int RoundNearest = 1,
+  parameter int LumBits      = 10,
+  parameter int LumFrac      = 0,
+  parameter int ShiftMin     = -4,
+  parameter int ShiftGroups  = 6,
+  parameter int FilterFrac   = 0,
+  // UnitConfig
+  parameter int Tmus             = 3,  // 1..3
+  parameter int PaletteLrgbPorts = 4,  // 1, 2, 4
+  parameter int PaletteRgbPorts  = 1   // 1, 2, 4
+) (
+  input  logic        clk_i,
+  input  logic        rst_ni,
+  input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_i,  // draw_t, draw 0 lowest
+  // Palettes: addresses are offsets from 0x4000 and 0x8000
+  input  logic        pal_lrgb_we_i,
+  input  logic [10:0] pal_lrgb_addr_i,
+  input  logic        pal_rgb_we_i,
+  input  logic [14:0] pal_rgb_addr_i,
+  input  logic [31:0] pal_data_i,
+  // What stands in D; it leaves in a cycle in which d_valid_i and d_ready_o are high
+  input  logic                                d_valid_i,
+  output logic                                d_ready_o,
+  input  ptm_unit_pkg::beat_t                 d_beat_i,
+  input  logic [Tmus*ptm_unit_pkg::TapsW-1:0] d_taps_i,  // taps_t, TMU 0 lowest
+  // Pixels
+  output logic                               pix_valid_o,
+  input  logic                               pix_ready_i,
+  output logic [ptm_unit_pkg::PixelBits-1:0] pix_x_o,
+  output logic [ptm_unit_pkg::PixelBits-1:0] pix_y_o,
+  output logic [23:0]                        pix_rgb_o,  // red lowest
+  output logic [7:0]                         pix_alpha_o,
+  output logic                               pix_lum_saturated_o,
+  output logic                               pix_color_saturated_o,
+  // What counters grow by, each in the cycle of the event
+  output logic [2:0] inc_palette_o,
+  output logic [7:0] inc_filter_o,
+  output logic [4:0] inc_eval_o,
+  output logic [2:0] inc_combine_o
+);
+  localparam int StoredW  = ptm_pkg::stored_bits(CoefBits, FilterFrac);
+  localparam int LightW   = ptm_pkg::light_bits(LightInt, LightFrac);
+  localparam int RgbW     = ptm_pkg::rgb_bits(FilterFrac);
+  localparam int LumW     = ptm_pkg::lum_bits(LumBits, LumFrac);
+  localparam int PixelW   = ptm_unit_pkg::PixelBits;
+  localparam int DrawNumW = ptm_unit_pkg::DrawBits;
+
+  `PTM_ASSERT_INIT(CoefBitsFitThreeToAWord_A, CoefBits <= 10)
+  `PTM_ASSERT_INIT(TmusInRange_A, Tmus >= 1 && Tmus <= 3)
+
+  // D to O
+  logic                            load_p, o_valid, o_ready, o_last_pass, o_rgb_map;
+  logic [6*StoredW-1:0]            o_coef;
+  logic [6*CoefBits-1:0]           o_bias;
+  logic [6*ptm_pkg::ShiftBits-1:0] o_shift;
+  logic [3*RgbW-1:0]               o_rgb;
+  logic signed [ptm_unit_pkg::LightMax-1:0] o_lu, o_lv;
+  logic [1:0]                      o_channel;
+  logic [PixelW-1:0]               o_x, o_y;
+  logic [DrawNumW-1:0]             o_draw;
+  logic [7:0]                      o_map_alpha;
+  logic [31:0]                     o_color;
+  logic [2:0]                      d_palette_taps;
+  ptm_filter #(
+    .CoefBits(CoefBits), .RoundNearest(RoundNearest), .FilterFrac(FilterFrac), .Tmus(Tmus),
+    .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts)
+  ) u_filter (
+    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .pal_lrgb_we_i(pal_lrgb_we_i),
+    .pal_lrgb_addr_i(pal_lrgb_addr_i), .pal_rgb_we_i(pal_rgb_we_i),
+    .pal_rgb_addr_i(pal_rgb_addr_i), .pal_data_i(pal_data_i), .valid_i(d_valid_i),
+    .ready_o(d_ready_o), .beat_i(d_beat_i), .taps_i(d_taps_i), .load_p_o(load_p),
+    .palette_taps_o(d_palette_taps), .valid_o(o_valid), .ready_i(o_ready),
+    .last_pass_o(o_last_pass), .coef_o(o_coef), .bias_o(o_bias), .shift_o(o_shift),
+    .rgb_o(o_rgb), .lu_o(o_lu), .lv_o(o_lv), .rgb_map_o(o_rgb_map), .channel_o(o_channel),
+    .x_o(o_x), .y_o(o_y), .draw_o(o_draw), .map_alpha_o(o_map_alpha), .color_o(o_color)
+  );
+
+  // D1 to D7; what U11 needs travels in the sideband
+  localparam int SidebandW = 2 * PixelW + DrawNumW + 8 + 32;
+  logic                 e_valid, e_ready, e_lum_saturated, e_color_saturated;
+  logic [3*LumW-1:0]    e_lum;
+  logic [23:0]          e_rgb;
+  logic [SidebandW-1:0] e_sideband;
+  ptm_evaluator #(
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .SidebandBits(SidebandW)
+  ) u_evaluator (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(o_valid), .ready_o(o_ready), .coef_i(o_coef),
+    .bias_i(o_bias), .shift_i(o_shift), .rgb_i(o_rgb), .lu_i(o_lu[LightW-1:0]),
+    .lv_i(o_lv[LightW-1:0]), .rgb_map_i(o_rgb_map), .channel_i(o_channel),
+    .sideband_i({o_x, o_y, o_draw, o_map_alpha, o_color}), .valid_o(e_valid), .ready_i(e_ready),
+    .lum_o(e_lum), .lum_saturated_o(e_lum_saturated), .rgb_o(e_rgb),
+    .color_saturated_o(e_color_saturated), .sideband_o(e_sideband)
+  );
+
+  // U11
+  logic [PixelW-1:0]   e_x, e_y;
+  logic [DrawNumW-1:0] e_draw;
+  logic [7:0]          e_map_alpha, e_color_alpha;
+  logic [23:0]         e_color;
+  logic [2:0]          e_combine;
+  logic [8:0]          e_ka, e_kd;
+  assign {e_x, e_y, e_draw, e_map_alpha, e_color_alpha, e_color} = e_sideband;
+  /* verilator lint_off PINCONNECTEMPTY */
+  ptm_draw_select u_e_draw (
+    .draws_i(draws_i), .draw_i(e_draw), .combine_o(e_combine), .ka_o(e_ka), .kd_o(e_kd),
+    .format_o(), .bilinear_o(), .color_o(), .palette_o(), .bias_o(), .shift_o()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+  ptm_combine #(
+    .RoundNearest(RoundNearest)
+  ) u_combine (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(e_valid), .ready_o(e_ready), .x_i(e_x), .y_i(e_y),
+    .combine_i(e_combine), .ka_i(e_ka), .kd_i(e_kd), .lit_i(e_rgb), .color_i(e_color),
+    .color_alpha_i(e_color_alpha), .map_alpha_i(e_map_alpha),
+    .flags_i({e_lum_saturated, e_color_saturated}), .valid_o(pix_valid_o), .ready_i(pix_ready_i),
+    .x_o(pix_x_o), .y_o(pix_y_o), .rgb_o(pix_rgb_o), .alpha_o(pix_alpha_o),
+    .flags_o({pix_lum_saturated_o, pix_color_saturated_o})
+  );
+
+  // What counters grow by: a beat as it leaves D, a fragment as its last pass leaves O
+  logic [2:0] d_format, o_format, o_combine, combine_multiplies;
+  logic       d_bilinear, d_color;
+  logic [4:0] eval_multiplies;
+  logic [7:0] filter_multiplies;
+  /* verilator lint_off PINCONNECTEMPTY */
+  ptm_draw_select u_d_draw (
+    .draws_i(draws_i), .draw_i(d_beat_i.draw), .format_o(d_format), .bilinear_o(d_bilinear),
+    .color_o(d_color), .palette_o(), .bias_o(), .shift_o(), .combine_o(), .ka_o(), .kd_o()
+  );
+  ptm_draw_select u_o_draw (
+    .draws_i(draws_i), .draw_i(o_draw), .format_o(o_format), .combine_o(o_combine),
+    .bilinear_o(), .color_o(), .palette_o(), .bias_o(), .shift_o(), .ka_o(), .kd_o()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+  ptm_multiply_count #(
+    .Tmus(Tmus)
+  ) u_multiply_count (
+    .format_i(d_format), .bilinear_i(d_bilinear), .color_i(d_color), .group_i(d_beat_i.group),
+    .second_i(d_beat_i.second), .map_fetched_i(d_beat_i.ptm.fetched),
+    .color_fetched_i(d_beat_i.color.fetched), .filter_o(filter_multiplies),
+    .o_format_i(o_format), .o_combine_i(o_combine), .eval_o(eval_multiplies),
+    .combine_o(combine_multiplies)
+  );
+  logic o_leaves;
+  assign o_leaves      = o_valid && o_ready && o_last_pass;
+  assign inc_palette_o = d_valid_i && d_ready_o ? d_palette_taps : '0;
+  assign inc_filter_o  = load_p ? filter_multiplies : '0;
+  assign inc_eval_o    = o_leaves ? eval_multiplies : '0;
+  assign inc_combine_o = o_leaves ? combine_multiplies : '0;
+
+  logic unused;
+  assign unused = ^{e_lum, o_lu, o_lv};
+endmodule

@@ -1,0 +1,252 @@
+// The unit's registers: draws, palettes' addresses, status, counters; the check of what was
+// written.
+//
+// Map: docs/spec/unit.md, Registers. A write takes one cycle; reading is combinational. Addresses
+// that hold nothing read as 0 and are not written. Writing a draw's control starts its check, which
+// looks at one level a cycle, the map's 13 and then the colour texture's, in 26 cycles; draws whose
+// control is written meanwhile wait, the lowest first.
+module ptm_unit_registers (
+  input  logic        clk_i,
+  input  logic        rst_ni,
+  // The register port
+  input  logic        reg_we_i,
+  input  logic [15:0] reg_addr_i,
+  input  logic [31:0] reg_wdata_i,
+  output logic [31:0] reg_rdata_o,
+  output logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_o,  // draw_t, draw 0 lowest
+  output logic        error_o,       // a draw that was written is illegal
+  output logic        checking_o,    // a draw is looked at, or waits for it
+  input  logic        busy_i,        // fragments inside
+  output logic        invalidate_o,  // the caches; in the cycle of the write
+  output logic        clear_o,       // the counters; in the cycle of the write
+  input  logic        mem_error_i,   // a response came with a tag that is not outstanding
+  input  logic [7:0]  mem_error_tag_i,
+  input  logic [ptm_unit_pkg::Counters*64-1:0] counters_i,  // counter 0 lowest
+  // Palettes
+  output logic        pal_lrgb_we_o,
+  output logic [10:0] pal_lrgb_addr_o,
+  output logic        pal_rgb_we_o,
+  output logic [14:0] pal_rgb_addr_o,
+  output logic [31:0] pal_data_o
+);
+  localparam int DrawW     = ptm_unit_pkg::DrawW;
+  localparam int Draws     = ptm_unit_pkg::Draws;
+  localparam int LastLevel = ptm_unit_pkg::LevelsMax - 1;
+
+  // Writes
+  logic we_draws, we_command, we_lines;
+  assign we_draws        = reg_we_i && reg_addr_i[15:8] == 8'h00;
+  assign we_command      = reg_we_i && reg_addr_i == 16'h1000;
+  assign we_lines        = reg_we_i && reg_addr_i == 16'h1001;
+  assign invalidate_o    = we_command && reg_wdata_i[0];
+  assign clear_o         = we_command && reg_wdata_i[1];
+  assign pal_lrgb_we_o   = reg_we_i && reg_addr_i[15:11] == 5'b01000;
+  assign pal_lrgb_addr_o = reg_addr_i[10:0];
+  assign pal_rgb_we_o    = reg_we_i && reg_addr_i[15];
+  assign pal_rgb_addr_o  = reg_addr_i[14:0];
+  assign pal_data_o      = reg_wdata_i;
+
+  logic [ptm_unit_pkg::LineBits:0] memory_lines_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) memory_lines_q <= '0;
+    else if (we_lines) memory_lines_q <= reg_wdata_i[ptm_unit_pkg::LineBits:0];
+  end
+
+  // Draws, as one vector that only writes touch: put together of registers it took a third of the
+  // unit's simulation time. At: where a draw_t keeps what; TextureW above ColorAt is the map.
+  localparam int KdAt = 9, KaAt = 18, PaletteAt = 27, ShiftAt = 29, BiasAt = 59, ColorAt = 131;
+  localparam int MapAt = ColorAt + ptm_unit_pkg::TextureW, LodAt = MapAt + ptm_unit_pkg::TextureW;
+  localparam int HasColorAt = LodAt + 13, CombineAt = LodAt + 14, WrapVAt = LodAt + 17;
+  localparam int WrapUAt = LodAt + 19, MipAt = LodAt + 21, BilinearAt = LodAt + 23;
+  localparam int FormatAt = LodAt + 24;
+  localparam int LineW = ptm_unit_pkg::LineBits, SideW = ptm_unit_pkg::SideBits;
+  localparam int LevelsAt = ptm_unit_pkg::LevelsMax * LineW;  // within a texture
+  localparam int HeightAt = LevelsAt + 4, WidthAt = HeightAt + SideW;
+
+  logic [Draws*DrawW-1:0] draws_q;
+  logic [Draws-1:0]       we_control;
+  assign draws_o = draws_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) draws_q <= '0;
+    else if (we_draws) begin
+      for (int d = 0; d < Draws; d++) begin
+        if (reg_addr_i[7:6] == 2'(d)) begin
+          case (reg_addr_i[5:0])
+            6'd0: begin
+              draws_q[d*DrawW+FormatAt +: 3]  <= reg_wdata_i[2:0];
+              draws_q[d*DrawW+MipAt +: 2]     <= reg_wdata_i[4:3];
+              draws_q[d*DrawW+BilinearAt]     <= reg_wdata_i[5];
+              draws_q[d*DrawW+WrapUAt +: 2]   <= reg_wdata_i[7:6];
+              draws_q[d*DrawW+WrapVAt +: 2]   <= reg_wdata_i[9:8];
+              draws_q[d*DrawW+CombineAt +: 3] <= reg_wdata_i[12:10];
+              draws_q[d*DrawW+HasColorAt]     <= reg_wdata_i[13];
+              draws_q[d*DrawW+PaletteAt +: 2] <= reg_wdata_i[15:14];
+            end
+            6'd1: begin
+              draws_q[d*DrawW+MapAt+WidthAt +: SideW]  <= reg_wdata_i[0 +: SideW];
+              draws_q[d*DrawW+MapAt+HeightAt +: SideW] <= reg_wdata_i[16 +: SideW];
+            end
+            6'd2: begin
+              draws_q[d*DrawW+ColorAt+WidthAt +: SideW]  <= reg_wdata_i[0 +: SideW];
+              draws_q[d*DrawW+ColorAt+HeightAt +: SideW] <= reg_wdata_i[16 +: SideW];
+            end
+            6'd3: begin
+              draws_q[d*DrawW+MapAt+LevelsAt +: 4]   <= reg_wdata_i[3:0];
+              draws_q[d*DrawW+ColorAt+LevelsAt +: 4] <= reg_wdata_i[11:8];
+              draws_q[d*DrawW+LodAt +: 13]           <= reg_wdata_i[28:16];
+            end
+            6'd10: begin
+              draws_q[d*DrawW+KaAt +: 9] <= reg_wdata_i[8:0];
+              draws_q[d*DrawW+KdAt +: 9] <= reg_wdata_i[17:9];
+              draws_q[d*DrawW +: 9]      <= reg_wdata_i[26:18];
+            end
+            default: ;
+          endcase
+          for (int i = 0; i < 6; i++) begin
+            if (reg_addr_i[5:0] == 6'(4 + i)) begin
+              draws_q[d*DrawW+BiasAt+12*i +: 12] <= reg_wdata_i[11:0];
+              draws_q[d*DrawW+ShiftAt+5*i +: 5]  <= reg_wdata_i[20:16];
+            end
+          end
+          for (int l = 0; l <= LastLevel; l++) begin
+            if (reg_addr_i[5:0] == 6'(16 + l)) begin
+              draws_q[d*DrawW+MapAt+LineW*l +: LineW] <= reg_wdata_i[LineW-1:0];
+            end
+            if (reg_addr_i[5:0] == 6'(32 + l)) begin
+              draws_q[d*DrawW+ColorAt+LineW*l +: LineW] <= reg_wdata_i[LineW-1:0];
+            end
+          end
+        end
+      end
+    end
+  end
+  for (genvar d = 0; d < Draws; d++) begin : gen_control
+    assign we_control[d] = we_draws && reg_addr_i[7:0] == 8'(64 * d);
+  end
+
+  // The check: one level of one texture a cycle
+  logic             active_q, texture_q;
+  logic [3:0]       level_q;
+  logic [Draws-1:0] waiting_q;
+  logic [2:0]       seen_q;    // control, levels, size: errors so far
+  logic             beyond_q;  // error 4 so far
+  logic [4*Draws-1:0] errors_q;
+
+  logic [1:0]       check_draw_q;
+  logic [2:0]       format, combine;
+  logic [1:0]       mip, wrap_u, wrap_v;
+  logic             color;
+  logic [SideW-1:0] width, height;
+  logic [3:0]       levels;
+  logic [LineW-1:0] base;
+  always_comb begin
+    {format, combine, mip, wrap_u, wrap_v, color} = '0;
+    {width, height, levels, base}                 = '0;
+    if (active_q) begin
+      for (int d = 0; d < Draws; d++) begin
+        if (check_draw_q == 2'(d)) begin
+          format  = draws_q[d*DrawW+FormatAt +: 3];
+          combine = draws_q[d*DrawW+CombineAt +: 3];
+          mip     = draws_q[d*DrawW+MipAt +: 2];
+          wrap_u  = draws_q[d*DrawW+WrapUAt +: 2];
+          wrap_v  = draws_q[d*DrawW+WrapVAt +: 2];
+          color   = draws_q[d*DrawW+HasColorAt];
+          {width, height, levels} = texture_q
+              ? draws_q[d*DrawW+ColorAt+LevelsAt +: 2*SideW+4]
+              : draws_q[d*DrawW+MapAt+LevelsAt +: 2*SideW+4];
+          for (int l = 0; l <= LastLevel; l++) begin
+            if (level_q == 4'(l)) begin
+              base = texture_q ? draws_q[d*DrawW+ColorAt+LineW*l +: LineW]
+                               : draws_q[d*DrawW+MapAt+LineW*l +: LineW];
+            end
+          end
+        end
+      end
+    end
+  end
+
+  logic bad_size, bad_levels, bad_control, beyond;
+  ptm_draw_check u_check (
+    .format_i(format), .mip_i(mip), .wrap_u_i(wrap_u), .wrap_v_i(wrap_v), .combine_i(combine),
+    .color_i(color), .texture_i(texture_q), .width_i(width), .height_i(height),
+    .levels_i(levels), .level_i(level_q), .base_i(base), .memory_lines_i(memory_lines_q),
+    .bad_size_o(bad_size), .bad_levels_o(bad_levels), .bad_control_o(bad_control),
+    .beyond_o(beyond)
+  );
+
+  logic       last, beyond_all;
+  logic [2:0] seen;
+  logic [3:0] errors;
+  assign last       = texture_q && level_q == 4'(LastLevel);
+  assign seen       = seen_q | {bad_control, bad_levels, bad_size};
+  assign beyond_all = beyond_q || beyond;
+  assign errors     = {seen[2], beyond_all && seen == '0, seen[1:0]};
+
+  // A draw starts to be looked at
+  logic       start;
+  logic [1:0] next;
+  assign start = !active_q && waiting_q != '0;
+  assign next  = waiting_q[0] ? 2'd0 : waiting_q[1] ? 2'd1 : waiting_q[2] ? 2'd2 : 2'd3;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      active_q  <= 1'b0;
+      waiting_q <= '0;
+      errors_q  <= '0;
+    end else begin
+      if (start) active_q <= 1'b1;
+      else if (last) active_q <= 1'b0;
+      for (int d = 0; d < Draws; d++) begin
+        if (we_control[d]) waiting_q[d] <= 1'b1;
+        else if (start && next == 2'(d)) waiting_q[d] <= 1'b0;
+        if (active_q && last && check_draw_q == 2'(d)) errors_q[4*d +: 4] <= errors;
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start) begin
+      check_draw_q <= next;
+      texture_q    <= 1'b0;
+      level_q      <= 4'd0;
+      seen_q       <= '0;
+      beyond_q     <= 1'b0;
+    end else if (active_q) begin
+      seen_q    <= seen;
+      beyond_q  <= beyond_all;
+      level_q   <= level_q == 4'(LastLevel) ? 4'd0 : level_q + 4'd1;
+      texture_q <= texture_q || level_q == 4'(LastLevel);
+    end
+  end
+  assign checking_o = active_q || waiting_q != '0;
+  assign error_o    = errors_q != '0;
+
+  // A response that nobody waits for: the first one's tag is kept until it is cleared.
+  logic       mem_error_q;
+  logic [7:0] mem_error_tag_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) mem_error_q <= 1'b0;
+    else if (clear_o) mem_error_q <= 1'b0;
+    else if (mem_error_i) mem_error_q <= 1'b1;
+  end
+  always_ff @(posedge clk_i) begin
+    if (clear_o) mem_error_tag_q <= 8'd0;
+    else if (mem_error_i && !mem_error_q) mem_error_tag_q <= mem_error_tag_i;
+  end
+
+  // Reading
+  logic [31:0] status, counter;
+  always_comb begin
+    status = '0;
+    for (int d = 0; d < Draws; d++) status[8*d +: 4] = errors_q[4*d +: 4];
+    counter = '0;
+    if (reg_addr_i[6:0] < 7'(2 * ptm_unit_pkg::Counters)) begin
+      counter = counters_i[{reg_addr_i[6:0], 5'd0} +: 32];
+    end
+    if (reg_addr_i[15:7] == 9'h040) reg_rdata_o = counter;
+    else if (reg_addr_i == 16'h1002) reg_rdata_o = status;
+    else if (reg_addr_i == 16'h1003) begin
+      reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 6'd0, mem_error_q,
+                     busy_i || checking_o};
+    end else reg_rdata_o = '0;
+  end
+endmodule
