@@ -25,13 +25,18 @@ target_compile_definitions(ptm_verilator_runtime PUBLIC
 target_compile_options(ptm_verilator_runtime PRIVATE ${PTM_VERILATED_OPTIONS})
 target_link_libraries(ptm_verilator_runtime PUBLIC Threads::Threads)
 
-# ptm_verilate(target PREFIX V... TOP module SOURCES file... [PARAMETERS Name=value...] [ASSERT]
-#              [HARNESS file])
+# ptm_verilate(target PREFIX V... TOP module SOURCES file... [LISTS list...]
+#              [PARAMETERS Name=value...] [ASSERT] [HARNESS file])
 # - a static library with the C++ class PREFIX of that module, as one translation unit.
-# ASSERT builds the assertions of ptm_assert.svh in. HARNESS is C++ that joins the unit, so that the
+# LISTS are read after rtl/files.f. ASSERT builds the assertions of ptm_assert.svh in. HARNESS is C++ that joins the unit, so that the
 # compiler can inline the design into what drives it.
 function(ptm_verilate target)
-  cmake_parse_arguments(arg "ASSERT" "PREFIX;TOP;HARNESS" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(arg "ASSERT" "PREFIX;TOP;HARNESS" "SOURCES;LISTS;PARAMETERS"
+    ${ARGN})
+  set(lists "")
+  foreach(list IN LISTS arg_LISTS)
+    list(APPEND lists -f ${list})
+  endforeach()
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/${arg_PREFIX})
   list(TRANSFORM arg_PARAMETERS PREPEND -G)
   set(flags --cc -O3 --x-assign fast --x-initial fast
@@ -44,7 +49,8 @@ function(ptm_verilate target)
     OUTPUT ${dir}/${arg_PREFIX}.h ${dir}/all.cxx
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${dir}
     COMMAND ${VERILATOR} ${flags} ${arg_PARAMETERS} -Irtl --top-module ${arg_TOP}
-      --prefix ${arg_PREFIX} --Mdir ${dir} rtl/lint.vlt -f rtl/files.f ${arg_SOURCES}
+      --prefix ${arg_PREFIX} --Mdir ${dir} rtl/lint.vlt -f rtl/files.f ${lists}
+      ${arg_SOURCES}
     COMMAND ${CMAKE_COMMAND} -D DIR=${dir} -D HARNESS=${arg_HARNESS}
       -P ${CMAKE_SOURCE_DIR}/cmake/VerilatedUnity.cmake
     DEPENDS ${rtl_files} ${arg_SOURCES} ${CMAKE_SOURCE_DIR}/cmake/VerilatedUnity.cmake

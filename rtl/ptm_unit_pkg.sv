@@ -18,6 +18,7 @@ package ptm_unit_pkg;
   localparam int TextureW = 2 * SideBits + 4 + LevelsMax * LineBits;
   localparam int DrawW    = 27 + 2 * TextureW + 6 * 12 + 6 * 5 + 2 + 27;
   localparam int TapsW    = 4 + 4 * 32;
+  localparam int BeatW    = 2 * PixelBits + 2 * LightMax + 1 + DrawBits + 3 + 2 + 3 + 2 * 25 + 2;
 
   localparam logic [2:0] FormatNone = 0, FormatLrgb = 1, FormatRgb = 2, FormatPaletteLrgb = 3,
                          FormatPaletteRgb = 4;

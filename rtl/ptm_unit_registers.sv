@@ -21,7 +21,8 @@ module ptm_unit_registers (
   output logic        clear_o,       // the counters; in the cycle of the write
   input  logic        mem_error_i,   // a response came with a tag that is not outstanding
   input  logic [7:0]  mem_error_tag_i,
-  input  logic [ptm_unit_pkg::Counters*64-1:0] counters_i,  // counter 0 lowest
+  output logic [5:0]  counter_number_o,  // which counter the read address asks for
+  input  logic [63:0] counter_i,         // its value, 0 if there is none of that number
   // Palettes
   output logic        pal_lrgb_we_o,
   output logic [10:0] pal_lrgb_addr_o,
@@ -234,14 +235,12 @@ module ptm_unit_registers (
   end
 
   // Reading
+  assign counter_number_o = reg_addr_i[6:1];
   logic [31:0] status, counter;
   always_comb begin
     status = '0;
     for (int d = 0; d < Draws; d++) status[8*d +: 4] = errors_q[4*d +: 4];
-    counter = '0;
-    if (reg_addr_i[6:0] < 7'(2 * ptm_unit_pkg::Counters)) begin
-      counter = counters_i[{reg_addr_i[6:0], 5'd0} +: 32];
-    end
+    counter = reg_addr_i[0] ? counter_i[63:32] : counter_i[31:0];
     if (reg_addr_i[15:7] == 9'h040) reg_rdata_o = counter;
     else if (reg_addr_i == 16'h1002) reg_rdata_o = status;
     else if (reg_addr_i == 16'h1003) begin

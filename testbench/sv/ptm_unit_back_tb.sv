@@ -92,20 +92,19 @@ module ptm_unit_back_tb #(
   localparam int DrawW = ptm_unit_pkg::DrawW;
 
   logic [ptm_unit_pkg::Draws*DrawW-1:0]    draws;
-  logic [ptm_unit_pkg::Counters*64-1:0]    counters;
+  logic [5:0]                              counter_number;
+  logic [63:0]                             counter;
   logic                                    pal_lrgb_we, pal_rgb_we;
   logic [10:0]                             pal_lrgb_addr;
   logic [14:0]                             pal_rgb_addr;
   logic [31:0]                             pal_data;
-  for (genvar n = 0; n < ptm_unit_pkg::Counters; n++) begin : gen_counter
-    assign counters[64*n +: 64] = counters_i[n];
-  end
+  assign counter = counter_number < 6'(ptm_unit_pkg::Counters) ? counters_i[counter_number] : '0;
   ptm_unit_registers u_registers (
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .error_o(error_o),
     .checking_o(checking_o), .busy_i(busy_i), .invalidate_o(invalidate_o), .clear_o(clear_o),
-    .mem_error_i(mem_error_i), .mem_error_tag_i(mem_error_tag_i), .counters_i(counters),
-    .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
+    .mem_error_i(mem_error_i), .mem_error_tag_i(mem_error_tag_i), .counter_number_o(counter_number),
+    .counter_i(counter), .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
     .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
   );
 

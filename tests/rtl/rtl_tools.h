@@ -15,9 +15,9 @@
 /// Calling the hardware tools on the sources of rtl/.
 namespace ptm::tests {
 
-/// The files of rtl/files.f, as they are written there.
-inline std::vector<std::string> rtl_files() {
-  std::ifstream list(std::string(PTM_SOURCE_DIR) + "/rtl/files.f");
+/// The files of such a list, as they are written there.
+inline std::vector<std::string> rtl_files(const std::string& list_name = "rtl/files.f") {
+  std::ifstream list(std::string(PTM_SOURCE_DIR) + '/' + list_name);
   std::vector<std::string> files;
   for (std::string line; std::getline(list, line);) {
     if (!line.empty() && line.rfind("//", 0) != 0) files.push_back(line);

@@ -1,0 +1,155 @@
+// The texture unit: from fragments to pixels. Wiring only.
+//
+//   fragments -> ptm_unit_front (address, tags, miss ring, fetch) -> D
+//             -> ptm_unit_back (palette, filter, evaluator, combine) -> pixels
+//   registers -> ptm_unit_registers (descriptors, palettes, counters, status)
+//
+// What it computes is docs/spec/unit.md, when it moves what docs/spec/unit-timing.md, the handshake
+// docs/spec/handshake.md. An all-hit fragment of one beat that is accepted in cycle c is offered as
+// a pixel in c + 24. No combinational path leads from an input to an output, but for the register
+// port's read.
+//
+// Twins: ptm::reference::shade() for values, the timing `exact` of model/pipeline for cycles.
+module ptm_unit #(
+  // EvalConfig; as ptm_evaluator, but CoefBits at most 10
+  parameter int CoefBits     = 8,
+  parameter int DeltaBits    = 9,
+  parameter int LightInt     = 2,
+  parameter int LightFrac    = 8,
+  parameter int BasisFrac    = 8,
+  parameter int Guard        = 4,
+  parameter int RoundNearest = 1,
+  parameter int LumBits      = 10,
+  parameter int LumFrac      = 0,
+  parameter int ShiftMin     = -4,
+  parameter int ShiftGroups  = 6,
+  parameter int FilterFrac   = 0,
+  // UnitConfig
+  parameter int Tmus             = 3,    // words fetched side by side; 1..3
+  parameter int CacheKib         = 16,   // of a TMU; 1..64, a power of two
+  parameter int Ways             = 2,    // 1, 2, 4
+  parameter int FragmentFifo     = 192,  // beats; 4..1024
+  parameter int MissFifo         = 64,   // lines; 4 * Tmus..256
+  parameter int PaletteLrgbPorts = 4,    // look-ups a cycle; 1, 2, 4
+  parameter int PaletteRgbPorts  = 1     // 1, 2, 4
+) (
+  input  logic         clk_i,
+  input  logic         rst_ni,
+  // Registers, written while the unit is idle; reading is combinational
+  input  logic         reg_we_i,
+  input  logic [15:0]  reg_addr_i,
+  input  logic [31:0]  reg_wdata_i,
+  output logic [31:0]  reg_rdata_o,
+  // Fragments; refused while a draw is illegal or being checked
+  input  logic                                      frag_valid_i,
+  output logic                                      frag_ready_o,
+  input  logic [ptm_unit_pkg::PixelBits-1:0]        frag_x_i,
+  input  logic [ptm_unit_pkg::PixelBits-1:0]        frag_y_i,
+  input  logic signed [ptm_unit_pkg::CoordBits-1:0] frag_u_i,
+  input  logic signed [ptm_unit_pkg::CoordBits-1:0] frag_v_i,
+  input  logic [ptm_unit_pkg::LodBits-1:0]          frag_lod_i,
+  input  logic signed [ptm_unit_pkg::CoordBits-1:0] frag_axis_u_i,
+  input  logic signed [ptm_unit_pkg::CoordBits-1:0] frag_axis_v_i,
+  input  logic [2:0]                                frag_probes_log2_i,  // 0..4
+  input  logic signed [ptm_unit_pkg::LightMax-1:0]  frag_lu_i,
+  input  logic signed [ptm_unit_pkg::LightMax-1:0]  frag_lv_i,
+  input  logic                                      frag_lit_i,
+  input  logic [ptm_unit_pkg::DrawBits-1:0]         frag_draw_i,         // one that was written
+  // Memory: responses in any order, never refused
+  output logic         mem_req_valid_o,
+  input  logic         mem_req_ready_i,
+  output logic [25:0]  mem_req_line_o,
+  output logic [7:0]   mem_req_tag_o,
+  input  logic         mem_rsp_valid_i,
+  input  logic [7:0]   mem_rsp_tag_i,
+  input  logic [511:0] mem_rsp_line_i,
+  // Pixels, in the order of their fragments
+  output logic                               pix_valid_o,
+  input  logic                               pix_ready_i,
+  output logic [ptm_unit_pkg::PixelBits-1:0] pix_x_o,
+  output logic [ptm_unit_pkg::PixelBits-1:0] pix_y_o,
+  output logic [23:0]                        pix_rgb_o,  // red lowest
+  output logic [7:0]                         pix_alpha_o,
+  output logic                               pix_lum_saturated_o,
+  output logic                               pix_color_saturated_o
+);
+  // Registers
+  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws;
+  logic [5:0]  counter_number;
+  logic [63:0] counter;
+  logic        error, checking, busy, invalidate, clear, mem_error;
+  logic        pal_lrgb_we, pal_rgb_we;
+  logic [10:0] pal_lrgb_addr;
+  logic [14:0] pal_rgb_addr;
+  logic [31:0] pal_data;
+  ptm_unit_registers u_registers (
+    .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
+    .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .error_o(error),
+    .checking_o(checking), .busy_i(busy), .invalidate_o(invalidate), .clear_o(clear),
+    .mem_error_i(mem_error), .mem_error_tag_i(mem_rsp_tag_i),
+    .counter_number_o(counter_number), .counter_i(counter),
+   
+    .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
+    .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
+  );
+
+  // Fragments
+  ptm_unit_pkg::fragment_t fragment;
+  always_comb begin
+    fragment             = '0;
+    fragment.x           = frag_x_i;
+    fragment.y           = frag_y_i;
+    fragment.u           = frag_u_i;
+    fragment.v           = frag_v_i;
+    fragment.lod         = frag_lod_i;
+    fragment.axis_u      = frag_axis_u_i;
+    fragment.axis_v      = frag_axis_v_i;
+    fragment.probes_log2 = frag_probes_log2_i;
+    fragment.lu          = frag_lu_i;
+    fragment.lv          = frag_lv_i;
+    fragment.lit         = frag_lit_i;
+    fragment.draw        = frag_draw_i;
+  end
+  logic open, front_ready;
+  assign open         = !error && !checking;
+  assign frag_ready_o = open && front_ready;
+
+  // D
+  logic                                d_valid, d_ready;
+  ptm_unit_pkg::beat_t                 d_beat;
+  logic [Tmus*ptm_unit_pkg::TapsW-1:0] d_taps;
+  logic [2:0] inc_palette, inc_combine;
+  logic [7:0] inc_filter;
+  logic [4:0] inc_eval;
+  ptm_unit_front #(
+    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
+    .MissFifo(MissFifo)
+  ) u_front (
+    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .invalidate_i(invalidate), .clear_i(clear),
+    .busy_o(busy), .counter_number_i(counter_number), .counter_o(counter),
+    .valid_i(frag_valid_i && open), .ready_o(front_ready),
+    .fragment_i(fragment), .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+    .mem_req_line_o(mem_req_line_o), .mem_req_tag_o(mem_req_tag_o),
+    .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_tag_i(mem_rsp_tag_i),
+    .mem_rsp_line_i(mem_rsp_line_i), .mem_error_o(mem_error), .d_valid_o(d_valid),
+    .d_ready_i(d_ready), .d_beat_o(d_beat), .d_taps_o(d_taps),
+    .pixel_taken_i(pix_valid_o && pix_ready_i), .inc_palette_i(inc_palette),
+    .inc_filter_i(inc_filter), .inc_eval_i(inc_eval), .inc_combine_i(inc_combine)
+  );
+
+  ptm_unit_back #(
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts)
+  ) u_back (
+    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .pal_lrgb_we_i(pal_lrgb_we),
+    .pal_lrgb_addr_i(pal_lrgb_addr), .pal_rgb_we_i(pal_rgb_we), .pal_rgb_addr_i(pal_rgb_addr),
+    .pal_data_i(pal_data), .d_valid_i(d_valid), .d_ready_o(d_ready), .d_beat_i(d_beat),
+    .d_taps_i(d_taps), .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i), .pix_x_o(pix_x_o),
+    .pix_y_o(pix_y_o), .pix_rgb_o(pix_rgb_o), .pix_alpha_o(pix_alpha_o),
+    .pix_lum_saturated_o(pix_lum_saturated_o), .pix_color_saturated_o(pix_color_saturated_o),
+    .inc_palette_o(inc_palette), .inc_filter_o(inc_filter), .inc_eval_o(inc_eval),
+    .inc_combine_o(inc_combine)
+  );
+endmodule

@@ -1,0 +1,50 @@
+// Formats between the stages of the texture unit's front, A0 to D: docs/spec/unit-timing.md.
+// Widths are the largest that UnitConfig may ask for. Taps are 00 10 01 11 (bit 0 of a tap's number
+// is its column, bit 1 its row); banks likewise: bit 0 is the parity in u, bit 1 in v.
+//
+// Several structs side by side are plain vectors, item 0 lowest, and struct variables stand outside
+// generate blocks: Yosys 0.23 reads neither otherwise (ptm_unit_pkg.sv). Structs that move every
+// cycle fit 64 bits, and a beat's parts travel as several: so the Verilated unit is faster.
+package ptm_unit_front_pkg;
+  localparam int SetBits   = 8;   // of a tag bank: 64 KiB, direct mapped
+  localparam int RowBits   = 10;  // of a data bank: a line's place, {tag bank, set, way}
+  localparam int LineWidth = 512;
+  localparam int BankWidth = 128; // a line's four words of one texel parity
+  localparam int ReadsW    = 16 + 4 * RowBits;
+
+  // The level that a texture's footprint lies in (A1, A2)
+  typedef struct packed {
+    logic [3:0]  level;
+    logic [12:0] width;
+    logic [12:0] height;
+    logic [25:0] base;
+  } level_t;
+
+  // One texture's texels in one footprint (A3)
+  typedef struct packed {
+    logic [1:0][11:0] i;           // columns, wrapped
+    logic [1:0][11:0] j;           // rows
+    logic [3:0]       level;
+    logic             columns;     // both columns are fetched: wu is not 0
+    logic             rows;
+    logic             collides_u;  // the banks forbid both columns in one beat
+    logic             collides_v;
+  } texels_t;
+
+  // Their tiles' lines: of tap {row, column} it is row_line[row] + column_line[column] + plane
+  typedef struct packed {
+    logic [1:0][25:0] row;
+  } row_lines_t;
+  typedef struct packed {
+    logic [1:0][12:0] column;
+  } column_lines_t;
+
+  // What it reads, and which of it is on the way (fragment FIFO, K, F)
+  typedef struct packed {
+    logic [3:0]              fetched;  // taps
+    logic [3:0]              missed;   // first taps whose line comes through the miss ring
+    logic [3:0][RowBits-1:0] row;      // by tap
+    logic [1:0][1:0]         i;
+    logic [1:0][1:0]         j;
+  } reads_t;
+endpackage

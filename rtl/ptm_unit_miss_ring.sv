@@ -1,0 +1,148 @@
+// The miss ring: slots for lines on their way from memory, in the order in which T pushed them.
+//
+// A rank of up to Tmus lines is pushed at once, into the next slots in the order of TMUs, if as
+// many are free at the cycle's start. Requests leave one a cycle in ring order, the tag is the
+// slot's number. Responses come in any order and are usable in the cycle after; one whose tag is
+// not outstanding is dropped and reported. K commits ranks in ring order, reading up to Tmus
+// slots side by side, and returns a beat's slots together: free from the cycle after (T5).
+// docs/spec/unit-timing.md, Tags and Commit.
+`include "ptm_assert.svh"
+module ptm_unit_miss_ring #(
+  parameter int Tmus     = 3,
+  parameter int MissFifo = 64,  // slots, 4 * Tmus..256
+  localparam int LineBits  = ptm_unit_pkg::LineBits,
+  localparam int LineWidth = ptm_unit_front_pkg::LineWidth
+) (
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
+  // T
+  input  logic [Tmus-1:0]                miss_valid_i,
+  input  logic [Tmus*LineBits-1:0]       miss_line_i,
+  input  logic                           miss_push_i,
+  output logic                           miss_fits_o,
+  // Memory
+  output logic                 req_valid_o,
+  input  logic                 req_ready_i,
+  output logic [LineBits-1:0]  req_line_o,
+  output logic [7:0]           req_tag_o,
+  input  logic                 rsp_valid_i,
+  input  logic [7:0]           rsp_tag_i,
+  input  logic [LineWidth-1:0] rsp_line_i,
+  output logic                 rsp_error_o,  // no request of that tag is outstanding
+  // K: the lines of its rank
+  input  logic [Tmus-1:0]      rank_i,       // TMUs that have one
+  output logic                 usable_o,     // all of them are there
+  input  logic                 commit_i,     // they are taken
+  input  logic                 release_i,    // with the beat's last rank, or without misses
+  output logic [Tmus*LineWidth-1:0] line_o
+);
+  localparam int SlotBits  = $clog2(MissFifo);
+  localparam int CountBits = $clog2(MissFifo + 1);
+
+  // Slots wrap at MissFifo, which need not be a power of two
+  function automatic logic [SlotBits-1:0] behind(input logic [SlotBits-1:0] slot,
+                                                 input logic [1:0] steps);
+    logic [SlotBits:0] sum;
+    sum    = {1'b0, slot} + (SlotBits+1)'(steps);
+    behind = SlotBits'(sum >= (SlotBits+1)'(MissFifo) ? sum - (SlotBits+1)'(MissFifo) : sum);
+  endfunction
+
+  // TMU t's place within a rank: how many before it have a line
+  function automatic logic [1:0] lines_before(input logic [Tmus-1:0] rank, input int t);
+    lines_before = 2'd0;
+    for (int other = 0; other < Tmus; other++) begin
+      if (other < t) lines_before = lines_before + 2'(rank[other]);
+    end
+  endfunction
+
+  logic [LineBits-1:0]  address_q [MissFifo];
+  logic [LineWidth-1:0] line_q [MissFifo];
+  logic [MissFifo-1:0]  outstanding_q;  // asked for, not answered
+  logic [MissFifo-1:0]  usable_q;       // answered, not committed
+
+  logic [SlotBits-1:0]  tail_q;     // next to be pushed
+  logic [SlotBits-1:0]  request_q;  // next to be asked for
+  logic [SlotBits-1:0]  head_q;     // next to be committed
+  logic [CountBits-1:0] free_q;
+  logic [CountBits-1:0] waiting_q;  // pushed, not asked for
+  logic [CountBits-1:0] held_q;     // of the beat in K: committed, not returned
+
+  // Push
+  logic [1:0] pushed;
+  assign pushed      = lines_before(miss_valid_i, Tmus);
+  assign miss_fits_o = free_q >= CountBits'(pushed);
+  logic push;
+  assign push = miss_push_i && pushed != 2'd0;
+  for (genvar t = 0; t < Tmus; t++) begin : gen_push
+    always_ff @(posedge clk_i) begin
+      if (push && miss_valid_i[t]) begin
+        address_q[behind(tail_q, lines_before(miss_valid_i, t))] <=
+            miss_line_i[t*LineBits +: LineBits];
+      end
+    end
+  end
+
+  // Requests
+  logic request;
+  assign req_valid_o = waiting_q != '0;
+  assign req_line_o  = address_q[request_q];
+  assign req_tag_o   = 8'(request_q);
+  assign request     = req_valid_o && req_ready_i;
+
+  // Responses
+  logic                response;
+  logic [SlotBits-1:0] response_slot;
+  assign response_slot = rsp_tag_i[SlotBits-1:0];
+  assign response      = rsp_valid_i && 9'(rsp_tag_i) < 9'(MissFifo) &&
+                         outstanding_q[response_slot];
+  assign rsp_error_o   = rsp_valid_i && !response;
+  always_ff @(posedge clk_i) if (response) line_q[response_slot] <= rsp_line_i;
+
+  // Commit
+  logic [1:0]      committed;
+  logic [Tmus-1:0] there;
+  assign committed = lines_before(rank_i, Tmus);
+  for (genvar t = 0; t < Tmus; t++) begin : gen_commit
+    logic [SlotBits-1:0] slot;
+    assign slot      = behind(head_q, lines_before(rank_i, t));
+    assign there[t]  = !rank_i[t] || usable_q[slot];
+    assign line_o[t*LineWidth +: LineWidth] = line_q[slot];
+  end
+  assign usable_o = there == '1;
+
+  logic [CountBits-1:0] held_now;
+  assign held_now = held_q + (commit_i ? CountBits'(committed) : '0);
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      tail_q        <= '0;
+      request_q     <= '0;
+      head_q        <= '0;
+      free_q        <= CountBits'(MissFifo);
+      waiting_q     <= '0;
+      held_q        <= '0;
+      outstanding_q <= '0;
+      usable_q      <= '0;
+    end else begin
+      if (push) tail_q <= behind(tail_q, pushed);
+      if (commit_i) head_q <= behind(head_q, committed);
+      held_q    <= release_i ? '0 : held_now;
+      free_q    <= free_q - (push ? CountBits'(pushed) : '0) + (release_i ? held_now : '0);
+      waiting_q <= waiting_q + (push ? CountBits'(pushed) : '0) - CountBits'(request);
+      if (request) begin
+        request_q                <= behind(request_q, 2'd1);
+        outstanding_q[request_q] <= 1'b1;
+      end
+      if (response) begin
+        outstanding_q[response_slot] <= 1'b0;
+        usable_q[response_slot]      <= 1'b1;
+      end
+      for (int t = 0; t < Tmus; t++) begin
+        if (commit_i && rank_i[t]) usable_q[behind(head_q, lines_before(rank_i, t))] <= 1'b0;
+      end
+    end
+  end
+
+  `PTM_ASSERT(PushFits_A, !push || free_q >= CountBits'(pushed))
+  `PTM_ASSERT(CommitOfUsable_A, !commit_i || usable_o)
+  `PTM_ASSERT(NoMoreFreeThanThereAre_A, free_q <= CountBits'(MissFifo))
+endmodule

@@ -1,0 +1,55 @@
+// The tools' opinion of the unit's sources: Verilator's lint, every warning an error, for every
+// variant that is built and for the ends of the parameters' ranges; and that Yosys reads them.
+#include <array>
+
+#include "tests/rtl/rtl_tools.h"
+
+namespace ptm::tests {
+namespace {
+
+struct Built {
+  const char* name;
+  const char* parameters;
+};
+
+class RtlUnitLint : public testing::TestWithParam<Built> {};
+
+TEST_P(RtlUnitLint, IsClean) {
+  const ToolRun run = run_tool(
+      std::string("verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f -f rtl/unit.f "
+                  "--top-module ptm_unit ") +
+      GetParam().parameters);
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(run.output, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Parameters, RtlUnitLint,
+    testing::Values(Built{"Default", ""}, Built{"TwoTmus", "-GTmus=2"}, Built{"OneTmu", "-GTmus=1"},
+                    Built{"Paper8",
+                          "-GDeltaBits=8 -GLightInt=1 -GLightFrac=7 -GBasisFrac=6 -GGuard=0 "
+                          "-GRoundNearest=0 -GLumBits=8 -GShiftMin=-2"},
+                    Built{"Wide", "-GLightFrac=12 -GBasisFrac=16 -GGuard=10 -GLumFrac=4"},
+                    Built{"Small",
+                          "-GShiftGroups=3 -GCacheKib=1 -GWays=1 -GFragmentFifo=8 -GMissFifo=12 "
+                          "-GPaletteLrgbPorts=2 -GPaletteRgbPorts=2"},
+                    Built{"OneSet", "-GCacheKib=1 -GWays=4 -GFragmentFifo=4 -GPaletteLrgbPorts=1"},
+                    Built{"Large",
+                          "-GCacheKib=64 -GWays=4 -GFragmentFifo=1024 -GMissFifo=256 "
+                          "-GPaletteRgbPorts=4 -GCoefBits=10 -GFilterFrac=4"},
+                    Built{"LargeDirectMapped", "-GCacheKib=64 -GWays=1"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(RtlUnitSources, AreReadByYosysWithEveryModuleFound) {
+  std::string files;
+  for (const std::string& list : {"rtl/files.f", "rtl/unit.f"}) {
+    for (const std::string& file : rtl_files(list)) files += ' ' + file;
+  }
+  const ToolRun run = run_tool("yosys -q -p 'read_verilog -sv -DYOSYS -Irtl" + files +
+                               "; hierarchy -check -top ptm_unit; proc; check -assert'");
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(run.output.find("ERROR"), std::string::npos) << run.output;
+}
+
+}  // namespace
+}  // namespace ptm::tests
