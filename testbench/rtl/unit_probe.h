@@ -1,0 +1,14 @@
+#pragma once
+#include <cstdint>
+
+/// What probe_o of testbench/sv/ptm_unit_tb.sv shows for each value of probe_i.
+namespace ptm::testbench::unit_probe {
+
+inline constexpr std::uint8_t kNone = 0;
+inline constexpr std::uint8_t kHolds = 1;  ///< a beat stands at K
+inline constexpr std::uint8_t kX = 2, kY = 3;
+inline constexpr std::uint8_t kSlot = 4, kLine = 5;  ///< the first that K has not committed
+inline constexpr std::uint8_t kParameters = 128;  ///< twelve of rtl_parameters(), then UnitConfig
+inline constexpr int kParameterCount = 19;
+
+}  // namespace ptm::testbench::unit_probe

@@ -1,0 +1,33 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+
+#include "model/reference/eval_config.h"
+#include "testbench/rtl/verilated_unit.h"
+
+/// Every variant of the unit that testbench/rtl/CMakeLists.txt verilates.
+namespace ptm::testbench {
+
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base3();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base2();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base1();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_paper8();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_wide();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_stress();
+
+struct RtlUnitVariant {
+  const char* name;
+  reference::EvalConfig config;
+  reference::UnitConfig unit;
+  std::unique_ptr<RtlUnit> (*make)();
+};
+
+/// What ptmsim links.
+[[nodiscard]] std::span<const RtlUnitVariant> rtl_unit_presets();
+
+/// For tests only: everything small, so that all that can be full is full, with the RTL's
+/// assertions built in. Needs the library ptm_rtl_unit_stress.
+[[nodiscard]] const RtlUnitVariant& rtl_unit_stress();
+
+}  // namespace ptm::testbench
