@@ -220,6 +220,10 @@ class UnitSceneMaker {
     draw.palette = in(0, 3);
     fill(draw.bias, (1 << out.config.coef_bits) - 1);
     for (auto& s : draw.shift) s = in(out.config.shift_min, 15);
+    if (out.config.shift_groups == 3) {
+      draw.shift[1] = draw.shift[2] = draw.shift[0];
+      draw.shift[4] = draw.shift[3];
+    }
     draw.ka = in(0, 511);
     draw.kd = in(0, 511);
     draw.ks = in(0, 511);

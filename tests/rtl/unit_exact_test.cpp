@@ -1,0 +1,87 @@
+// The RTL unit against the pipeline model's timing `exact`: every pixel's cycle, every response's,
+// every counter. SystemC elaborates once a process, and so runs each model.
+#include "model/pipeline/simulate_texture_unit.h"
+#include "tests/rtl/unit_runs.h"
+
+namespace ptm::tests {
+namespace {
+
+using pipeline::MemoryModel;
+using pipeline::StreamTiming;
+using pipeline::UnitFrame;
+using pipeline::UnitFrameResult;
+
+struct Condition {
+  const char* name;
+  MemoryModel memory;
+  StreamTiming timing;
+};
+
+const std::array<Condition, 5> kConditions{
+    {{"FixedMemory", pipeline::FixedMemory{}, {}},
+     {"FastMemory", pipeline::FixedMemory{.latency = 1, .interval = 1}, {}},
+     {"Dram", pipeline::DramMemory{}, {}},
+     {"RandomMemoryStallsAndGaps",
+      pipeline::RandomMemory{.seed = 3, .latency_max = 60},
+      {.seed = 3, .input_gap = 0.3, .output_stall = 0.4}},
+     {"FastMemoryStalls",
+      pipeline::FixedMemory{.latency = 3, .interval = 1},
+      {.seed = 4, .output_stall = 0.6}}}};
+
+struct Case {
+  testbench::RtlUnitVariant variant;
+  Condition condition;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const auto& variant : unit_variants()) {
+    for (const Condition& condition : kConditions) all.push_back({variant, condition});
+  }
+  return all;
+}
+
+void expect_same(const UnitFrameResult& rtl, const UnitFrameResult& model) {
+  ASSERT_FALSE(rtl.fault) << rtl.fault->what;
+  ASSERT_FALSE(model.fault) << model.fault->what;
+  ASSERT_EQ(rtl.taken.size(), model.taken.size());
+  for (std::size_t n = 0; n < rtl.taken.size(); ++n) {
+    ASSERT_EQ(rtl.taken[n], model.taken[n]) << "pixel " << n;
+  }
+  EXPECT_EQ(rtl.answered, model.answered);
+  const auto& names = reference::unit_counter_names();
+  for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
+    EXPECT_EQ(rtl.counters.value[n], model.counters.value[n]) << names[n];
+  }
+}
+
+class RtlUnitExact : public testing::TestWithParam<Case> {};
+
+TEST_P(RtlUnitExact, HasTheCycleOfEveryPixelAndEveryCounter) {
+  const auto& [variant, condition] = GetParam();
+  UnitSceneMaker make(std::hash<std::string>{}(condition.name) % 1000);
+  const UnitScene scene = make.scene(variant.config);
+  const auto fragments = random_fragments(make, scene, 1500);
+  const auto unit = variant.make();
+  unit->load(scene.state);
+  const auto memory = make_memory(condition.memory);
+  const std::array<UnitFrame, 2> frames{{{fragments}, {fragments, true}}};
+  pipeline::UnitSimulation simulation;
+  simulation.unit = variant.unit;
+  simulation.state = &scene.state;
+  simulation.timing = condition.timing;
+  simulation.memory = condition.memory;
+  simulation.frames = {frames.size(), [&](std::size_t n) { return frames[n]; },
+                       [&](std::size_t n, UnitFrameResult&& model) {
+                         SCOPED_TRACE("frame " + std::to_string(n));
+                         expect_same(unit->run(frames[n], *memory, condition.timing), model);
+                       }};
+  simulate_texture_unit(simulation);
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, RtlUnitExact, testing::ValuesIn(cases()), [](const auto& tested) {
+  return std::string(tested.param.variant.name) + tested.param.condition.name;
+});
+
+}  // namespace
+}  // namespace ptm::tests
