@@ -106,8 +106,10 @@ module ptm_unit_address #(
       a2_colors_q    <= a1_colors_q;
       a2_map_u_q     <= 32'(fu) * 32'(a1_map_q.width);
       a2_map_v_q     <= 32'(fv) * 32'(a1_map_q.height);
-      a2_color_u_q   <= 32'(fu) * 32'(a1_colors_q.width);
-      a2_color_v_q   <= 32'(fv) * 32'(a1_colors_q.height);
+      if (a1_color_q) begin
+        a2_color_u_q <= 32'(fu) * 32'(a1_colors_q.width);
+        a2_color_v_q <= 32'(fv) * 32'(a1_colors_q.height);
+      end
     end
   end
 
@@ -117,13 +119,15 @@ module ptm_unit_address #(
   ptm_unit_front_pkg::row_lines_t    map_row_lines, color_row_lines;
   ptm_unit_front_pkg::column_lines_t map_column_lines, color_column_lines;
   ptm_unit_tiles u_tiles_map (
-    .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q), .repeat_v_i(a2_repeat_v_q),
+    .enable_i(1'b1), .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q),
+    .repeat_v_i(a2_repeat_v_q),
     .product_u_i(a2_map_u_q), .product_v_i(a2_map_v_q), .level_i(a2_map_q),
     .planes_i(a2_planes_q), .wu_o(map_wu), .wv_o(map_wv), .texels_o(map_texels),
     .row_lines_o(map_row_lines), .column_lines_o(map_column_lines)
   );
   ptm_unit_tiles u_tiles_color (
-    .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q), .repeat_v_i(a2_repeat_v_q),
+    .enable_i(a2_color_q), .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q),
+    .repeat_v_i(a2_repeat_v_q),
     .product_u_i(a2_color_u_q), .product_v_i(a2_color_v_q), .level_i(a2_colors_q),
     .planes_i(3'd1), .wu_o(color_wu), .wv_o(color_wv), .texels_o(color_texels),
     .row_lines_o(color_row_lines), .column_lines_o(color_column_lines)

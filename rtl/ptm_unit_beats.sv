@@ -51,7 +51,12 @@ module ptm_unit_beats #(
   end
   logic [2:0] words, groups_less_1;
   assign words         = planes_o + 3'(draw.color);
-  assign groups_less_1 = (words - 3'd1) / 3'(Tmus);
+  always_comb begin  // (words - 1) / Tmus
+    groups_less_1 = 3'd0;
+    for (int n = 1; n < 7; n++) begin
+      if (32'(words) > 32'(n * Tmus)) groups_less_1 = 3'(n);
+    end
+  end
 
   // U2
   logic signed [13:0] color_sum;

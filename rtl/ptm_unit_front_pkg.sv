@@ -4,7 +4,7 @@
 //
 // Several structs side by side are plain vectors, item 0 lowest, and struct variables stand outside
 // generate blocks: Yosys 0.23 reads neither otherwise (ptm_unit_pkg.sv). Structs that move every
-// cycle fit 64 bits, and a beat's parts travel as several: Verilated, that is several times as fast.
+// cycle fit 64 bits, and a beat's parts travel as several: so the Verilated unit is faster.
 package ptm_unit_front_pkg;
   localparam int SetBits   = 8;   // of a tag bank: 64 KiB, direct mapped
   localparam int RowBits   = 10;  // of a data bank: a line's place, {tag bank, set, way}

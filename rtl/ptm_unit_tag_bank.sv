@@ -97,14 +97,17 @@ module ptm_unit_tag_bank #(
     else if (update_i && !hit_o) valid_q[place(set_i, way_o)] <= 1'b1;
   end
 
-  always_comb begin
-    snoop_held_o = '0;
-    for (int s = 0; s < Snoops; s++) begin
+  for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
+    logic [SetBits-1:0]  other_set;
+    logic [LineBits-1:0] other_line;
+    assign other_set  = snoop_set_i[s*SetBits +: SetBits];
+    assign other_line = snoop_line_i[s*LineBits +: LineBits];
+    always_comb begin
+      snoop_held_o[s] = 1'b0;
       if (snoop_i[s]) begin
         for (int w = 0; w < Ways; w++) begin
-          if (valid_q[place(snoop_set_i[s*SetBits +: SetBits], 2'(w))] &&
-              tag_q[place(snoop_set_i[s*SetBits +: SetBits], 2'(w))] == snoop_line_i[s*LineBits +: LineBits]) begin
-            snoop_held_o[s] = 1'b1;
+          if (valid_q[place(other_set, 2'(w))]) begin
+            if (tag_q[place(other_set, 2'(w))] == other_line) snoop_held_o[s] = 1'b1;
           end
         end
       end

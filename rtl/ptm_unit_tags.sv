@@ -79,7 +79,8 @@ module ptm_unit_tags #(
     logic [Snoops*4*SetBits-1:0]  snoop_set;
     for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
       localparam int Other = Tmus == 1 ? 0 : s < t ? s : s + 1;
-      always_comb begin  // nothing moves, and nothing is simulated, in the many cycles without a miss
+      // In the many cycles without a miss nothing moves, and nothing is simulated.
+      always_comb begin
         snoop[s*4 +: 4]                        = 4'd0;
         snoop_line[s*4*LineBits +: 4*LineBits] = '0;
         snoop_set[s*4*SetBits +: 4*SetBits]    = '0;
@@ -102,7 +103,8 @@ module ptm_unit_tags #(
       .row_lines_i(color_i[t] ? color_row_lines_i : map_row_lines_i),
       .column_lines_i(color_i[t] ? color_column_lines_i : map_column_lines_i),
       .color_i(color_i[t]), .fetched_i(fetched_i[t]), .plane_i(plane_i[t*3 +: 3]),
-      .taps_i(taps_i), .valid_i(t_valid), .first_i(first_q), .push_i(miss_push_o), .miss_valid_o(miss_valid_o[t]),
+      .taps_i(taps_i), .valid_i(t_valid), .first_i(first_q), .push_i(miss_push_o),
+      .miss_valid_o(miss_valid_o[t]),
       .miss_line_o(miss_line_o[t*LineBits +: LineBits]), .more_o(more[t]),
       .reads_o(reads_o[t*ReadsW +: ReadsW]), .hits_o(hits_o[t*4 +: 4]),
       .misses_o(misses_o[t*4 +: 4]), .color_o(color_o[t]),

@@ -10,6 +10,7 @@
 module ptm_unit_tiles #(
   localparam int LineBits = ptm_unit_pkg::LineBits
 ) (
+  input  logic                        enable_i,     // the draw has this texture
   input  logic                        bilinear_i,
   input  logic                        repeat_u_i,
   input  logic                        repeat_v_i,
@@ -25,11 +26,13 @@ module ptm_unit_tiles #(
 );
   logic [11:0] i0, i1, j0, j1;
   ptm_unit_scale u_scale_u (
-    .bilinear_i(bilinear_i), .repeat_i(repeat_u_i), .product_i(product_u_i),
+    .enable_i(enable_i), .bilinear_i(bilinear_i), .repeat_i(repeat_u_i),
+    .product_i(product_u_i),
     .side_i(level_i.width), .i0_o(i0), .i1_o(i1), .weight_o(wu_o)
   );
   ptm_unit_scale u_scale_v (
-    .bilinear_i(bilinear_i), .repeat_i(repeat_v_i), .product_i(product_v_i),
+    .enable_i(enable_i), .bilinear_i(bilinear_i), .repeat_i(repeat_v_i),
+    .product_i(product_v_i),
     .side_i(level_i.height), .i0_o(j0), .i1_o(j1), .weight_o(wv_o)
   );
 
@@ -39,9 +42,6 @@ module ptm_unit_tiles #(
 
   // Tiles before the row of tiles: below 2^20
   logic [20:0] before0, before1;
-  assign before0 = 21'(j0[11:2]) * 21'(rounded_up[12:2]);
-  assign before1 = 21'(j1[11:2]) * 21'(rounded_up[12:2]);
-
   function automatic logic [LineBits-1:0] times_planes(input logic [20:0] tiles,
                                                        input logic [2:0] planes);
     logic [LineBits-1:0] one, three;
@@ -50,10 +50,22 @@ module ptm_unit_tiles #(
     times_planes = planes == 3'd1 ? one : planes == 3'd3 ? three : three << 1;
   endfunction
   logic [LineBits-1:0] row0, row1, column0, column1;
-  assign row0    = level_i.base + times_planes(before0, planes_i);
-  assign row1    = level_i.base + times_planes(before1, planes_i);
-  assign column0 = times_planes(21'(i0[11:2]), planes_i);
-  assign column1 = times_planes(21'(i1[11:2]), planes_i);
+  always_comb begin
+    before0 = '0;
+    before1 = '0;
+    row0    = '0;
+    row1    = '0;
+    column0 = '0;
+    column1 = '0;
+    if (enable_i) begin
+      before0 = 21'(j0[11:2]) * 21'(rounded_up[12:2]);
+      before1 = 21'(j1[11:2]) * 21'(rounded_up[12:2]);
+      row0    = level_i.base + times_planes(before0, planes_i);
+      row1    = level_i.base + times_planes(before1, planes_i);
+      column0 = times_planes(21'(i0[11:2]), planes_i);
+      column1 = times_planes(21'(i1[11:2]), planes_i);
+    end
+  end
 
   always_comb begin
     texels_o            = '0;

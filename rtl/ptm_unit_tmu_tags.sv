@@ -91,7 +91,8 @@ module ptm_unit_tmu_tags #(
     ) u_bank (
       .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i),
       .update_i(first_i && used_q[b]), .set_i(set_index_q[b*SetBits +: SetBits]),
-      .line_i(line_q[b*LineBits +: LineBits]), .hit_o(hit[b]), .way_o(way_now[b*2 +: 2]), .snoop_i(snoop),
+      .line_i(line_q[b*LineBits +: LineBits]), .hit_o(hit[b]), .way_o(way_now[b*2 +: 2]),
+      .snoop_i(snoop),
       .snoop_set_i(snoop_set), .snoop_line_i(snoop_line), .snoop_held_o(held)
     );
   end

@@ -24,7 +24,7 @@ struct RtlUnitVariant {
 };
 
 /// What ptmsim links. `small` is everything small, so that all that can be full is full, with the
-/// RTL's assertions built in.
+/// RTL's assertions built in; it is the last.
 [[nodiscard]] std::span<const RtlUnitVariant> rtl_unit_variants();
 
 }  // namespace ptm::testbench

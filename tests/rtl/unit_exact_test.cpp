@@ -55,9 +55,9 @@ void expect_same(const UnitFrameResult& rtl, const UnitFrameResult& model) {
   }
 }
 
-class UnitExact : public testing::TestWithParam<Case> {};
+class RtlUnitExact : public testing::TestWithParam<Case> {};
 
-TEST_P(UnitExact, HasTheCycleOfEveryPixelAndEveryCounter) {
+TEST_P(RtlUnitExact, HasTheCycleOfEveryPixelAndEveryCounter) {
   const auto& [variant, condition] = GetParam();
   UnitSceneMaker make(std::hash<std::string>{}(condition.name) % 1000);
   const UnitScene scene = make.scene(variant.config);
@@ -79,7 +79,7 @@ TEST_P(UnitExact, HasTheCycleOfEveryPixelAndEveryCounter) {
   simulate_texture_unit(simulation);
 }
 
-INSTANTIATE_TEST_SUITE_P(Units, UnitExact, testing::ValuesIn(cases()), [](const auto& tested) {
+INSTANTIATE_TEST_SUITE_P(Units, RtlUnitExact, testing::ValuesIn(cases()), [](const auto& tested) {
   return std::string(tested.param.variant.name) + tested.param.condition.name;
 });
 

@@ -12,9 +12,9 @@ struct Built {
   const char* parameters;
 };
 
-class UnitLint : public testing::TestWithParam<Built> {};
+class RtlUnitLint : public testing::TestWithParam<Built> {};
 
-TEST_P(UnitLint, IsClean) {
+TEST_P(RtlUnitLint, IsClean) {
   const ToolRun run = run_tool(
       std::string("verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f -f rtl/unit.f "
                   "--top-module ptm_unit ") +
@@ -24,7 +24,7 @@ TEST_P(UnitLint, IsClean) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Parameters, UnitLint,
+    Parameters, RtlUnitLint,
     testing::Values(Built{"Default", ""}, Built{"TwoTmus", "-GTmus=2"}, Built{"OneTmu", "-GTmus=1"},
                     Built{"Paper8",
                           "-GDeltaBits=8 -GLightInt=1 -GLightFrac=7 -GBasisFrac=6 -GGuard=0 "
@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Built{"LargeDirectMapped", "-GCacheKib=64 -GWays=1"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(UnitSources, AreReadByYosysWithEveryModuleFound) {
+TEST(RtlUnitSources, AreReadByYosysWithEveryModuleFound) {
   std::string files;
   for (const std::string& list : {"rtl/files.f", "rtl/unit.f"}) {
     for (const std::string& file : rtl_files(list)) files += ' ' + file;

@@ -38,7 +38,7 @@ UnitFragment at_texel(const UnitState& state, int i, int j) {
   return f;
 }
 
-class UnitTiming : public testing::Test {
+class RtlUnitTiming : public testing::Test {
  protected:
   /// A frame of these fragments with everything a hit: they are drawn twice, the second counts.
   pipeline::UnitFrameResult warm(testbench::RtlUnit& unit,
@@ -59,7 +59,7 @@ class UnitTiming : public testing::Test {
   testbench::RtlUnitVariant small_ = testbench::rtl_unit_variants().back();
 };
 
-TEST_F(UnitTiming, AFragmentOfOneBeatWithoutMissesIsAPixel24CyclesLater) {
+TEST_F(RtlUnitTiming, AFragmentOfOneBeatWithoutMissesIsAPixel24CyclesLater) {
   const UnitState state = lrgb_state(16, 16);
   unit_->load(state);
   const auto result = warm(*unit_, {at_texel(state, 5, 5)});
@@ -68,7 +68,7 @@ TEST_F(UnitTiming, AFragmentOfOneBeatWithoutMissesIsAPixel24CyclesLater) {
   EXPECT_EQ(result.counters[UnitCounter::cycles], 25U);
 }
 
-TEST_F(UnitTiming, AWarmLrgbMapGivesAPixelACycle) {
+TEST_F(RtlUnitTiming, AWarmLrgbMapGivesAPixelACycle) {
   const UnitState state = lrgb_state(32, 32);
   unit_->load(state);
   std::vector<UnitFragment> fragments;
@@ -79,7 +79,7 @@ TEST_F(UnitTiming, AWarmLrgbMapGivesAPixelACycle) {
   EXPECT_EQ(result.counters[UnitCounter::bank_conflicts], 0U);
 }
 
-TEST_F(UnitTiming, ALineThatArrivesInACycleIsCommittedInTheNext) {
+TEST_F(RtlUnitTiming, ALineThatArrivesInACycleIsCommittedInTheNext) {
   const UnitState state = lrgb_state(16, 16, reference::Wrap::repeat, false);
   unit_->load(state);
   const std::vector<UnitFragment> fragments{at_texel(state, 5, 5)};
@@ -90,7 +90,7 @@ TEST_F(UnitTiming, ALineThatArrivesInACycleIsCommittedInTheNext) {
   EXPECT_EQ(result.taken[0], 70U + 1 + 24 - 7);
 }
 
-TEST_F(UnitTiming, BlockedItHoldsTheFragmentFifoAnd24BeatsBesides) {
+TEST_F(RtlUnitTiming, BlockedItHoldsTheFragmentFifoAnd24BeatsBesides) {
   const UnitState state = lrgb_state(16, 16);
   for (const bool small : {false, true}) {
     const auto unit = small ? small_.make() : testbench::make_rtl_unit_base3();
@@ -101,14 +101,14 @@ TEST_F(UnitTiming, BlockedItHoldsTheFragmentFifoAnd24BeatsBesides) {
   }
 }
 
-TEST_F(UnitTiming, BehindALineThatNeverComesTheFifoFillsAndSixRegisters) {
+TEST_F(RtlUnitTiming, BehindALineThatNeverComesTheFifoFillsAndSixRegisters) {
   const UnitState state = lrgb_state(16, 16);
   const auto unit = small_.make();
   unit->load(state);
   EXPECT_EQ(accepted(*unit, at_texel(state, 5, 5), true), 8U + 6);  // A0 to A3, T, K
 }
 
-TEST_F(UnitTiming, TheRingHoldsRanksWholeOrNotAtAll) {
+TEST_F(RtlUnitTiming, TheRingHoldsRanksWholeOrNotAtAll) {
   // Point sampling misses a line in each of three TMUs a beat: four ranks fill twelve slots.
   const UnitState state = lrgb_state(64, 64, reference::Wrap::repeat, false);
   const auto unit = small_.make();
@@ -126,7 +126,7 @@ TEST_F(UnitTiming, TheRingHoldsRanksWholeOrNotAtAll) {
   EXPECT_EQ(unit->counters()[UnitCounter::tag_misses], 15U);  // the fifth beat has looked up
 }
 
-TEST_F(UnitTiming, SeamsOfOddSizesSplitABeatInTwoAndCornersInFour) {
+TEST_F(RtlUnitTiming, SeamsOfOddSizesSplitABeatInTwoAndCornersInFour) {
   struct Seam {
     int width, height, i, j;
     reference::Wrap wrap;
@@ -156,7 +156,7 @@ TEST_F(UnitTiming, SeamsOfOddSizesSplitABeatInTwoAndCornersInFour) {
   }
 }
 
-TEST_F(UnitTiming, ALineInTwoTmusCachesIsCountedAsADuplicate) {
+TEST_F(RtlUnitTiming, ALineInTwoTmusCachesIsCountedAsADuplicate) {
   // One picture, the second word of a palettised draw (TMU 1) and the first of a plain one (TMU 0).
   UnitState state;
   const reference::StoredPicture picture{4, 4, std::vector<std::uint8_t>(64, 9)};
@@ -187,7 +187,7 @@ TEST_F(UnitTiming, ALineInTwoTmusCachesIsCountedAsADuplicate) {
   EXPECT_EQ(c.hits(0, 0), 1U);
 }
 
-TEST_F(UnitTiming, IdleCyclesBetweenTwoFragmentsCountAsInputEmpty) {
+TEST_F(RtlUnitTiming, IdleCyclesBetweenTwoFragmentsCountAsInputEmpty) {
   const UnitState state = lrgb_state(16, 16);
   unit_->load(state);
   const std::vector<UnitFragment> fragments(2, at_texel(state, 5, 5));
@@ -199,7 +199,7 @@ TEST_F(UnitTiming, IdleCyclesBetweenTwoFragmentsCountAsInputEmpty) {
   EXPECT_EQ(result.counters[UnitCounter::cycles_input_empty], 124U);
 }
 
-TEST_F(UnitTiming, AMemoryThatNeverAnswersIsReportedWithCycleFragmentAndLine) {
+TEST_F(RtlUnitTiming, AMemoryThatNeverAnswersIsReportedWithCycleFragmentAndLine) {
   const UnitState state = lrgb_state(16, 16, reference::Wrap::repeat, false);
   unit_->load(state);
   std::vector<UnitFragment> fragments(2, at_texel(state, 5, 5));
@@ -217,7 +217,7 @@ TEST_F(UnitTiming, AMemoryThatNeverAnswersIsReportedWithCycleFragmentAndLine) {
   EXPECT_EQ(after.taken.size(), 2U);
 }
 
-TEST_F(UnitTiming, AResponseWithATagThatIsNotOutstandingIsReportedAtOnce) {
+TEST_F(RtlUnitTiming, AResponseWithATagThatIsNotOutstandingIsReportedAtOnce) {
   const UnitState state = lrgb_state(16, 16);
   unit_->load(state);
   const std::vector<UnitFragment> fragments(2, at_texel(state, 5, 5));
@@ -230,7 +230,7 @@ TEST_F(UnitTiming, AResponseWithATagThatIsNotOutstandingIsReportedAtOnce) {
   EXPECT_FALSE(unit_->run({.fragments = fragments}, *memory_, {}).fault);
 }
 
-TEST_F(UnitTiming, ATagThatWasAnsweredAlreadyIsNotOutstandingEither) {
+TEST_F(RtlUnitTiming, ATagThatWasAnsweredAlreadyIsNotOutstandingEither) {
   const UnitState state = lrgb_state(16, 16, reference::Wrap::repeat, false);
   unit_->load(state);
   RtlUnitPins pins{.valid = true, .fragment = at_texel(state, 5, 5)};
@@ -242,7 +242,7 @@ TEST_F(UnitTiming, ATagThatWasAnsweredAlreadyIsNotOutstandingEither) {
   EXPECT_EQ(unit_->read(0x1003) & 2U, 2U);
 }
 
-TEST_F(UnitTiming, AnIllegalDrawIsRefusedAndNoFragmentAccepted) {
+TEST_F(RtlUnitTiming, AnIllegalDrawIsRefusedAndNoFragmentAccepted) {
   UnitState state = lrgb_state(16, 16);
   state.draws[0].map.width = 0;
   try {

@@ -7,9 +7,9 @@ namespace {
 using pipeline::FixedMemory;
 using pipeline::RandomMemory;
 
-class UnitValues : public testing::TestWithParam<testbench::RtlUnitVariant> {};
+class RtlUnitValues : public testing::TestWithParam<testbench::RtlUnitVariant> {};
 
-TEST_P(UnitValues, AreTheReferencesUnderRandomLatenciesStallsAndGaps) {
+TEST_P(RtlUnitValues, AreTheReferencesUnderRandomLatenciesStallsAndGaps) {
   const auto unit = GetParam().make();
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -29,7 +29,7 @@ TEST_P(UnitValues, AreTheReferencesUnderRandomLatenciesStallsAndGaps) {
   }
 }
 
-TEST_P(UnitValues, StayWhenTheMemoryMakesRequestsWait) {
+TEST_P(RtlUnitValues, StayWhenTheMemoryMakesRequestsWait) {
   const auto unit = GetParam().make();
   UnitSceneMaker make(99);
   const UnitScene scene = make.scene(GetParam().config);
@@ -43,7 +43,7 @@ TEST_P(UnitValues, StayWhenTheMemoryMakesRequestsWait) {
   expect_sound(result.counters, fragments.size());
 }
 
-TEST_P(UnitValues, OfASecondFrameComeFromTheCacheIfItIsKeptAndFromMemoryIfNot) {
+TEST_P(RtlUnitValues, OfASecondFrameComeFromTheCacheIfItIsKeptAndFromMemoryIfNot) {
   const auto unit = GetParam().make();
   UnitSceneMaker make(7);
   const UnitScene scene = make.scene(GetParam().config);
@@ -60,7 +60,7 @@ TEST_P(UnitValues, OfASecondFrameComeFromTheCacheIfItIsKeptAndFromMemoryIfNot) {
   expect_pixels(scene, fragments, kept.pixels);
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, UnitValues, testing::ValuesIn(unit_variants()),
+INSTANTIATE_TEST_SUITE_P(Variants, RtlUnitValues, testing::ValuesIn(unit_variants()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
