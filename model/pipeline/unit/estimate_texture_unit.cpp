@@ -72,12 +72,18 @@ class LooseUnit {
     const DrawPlan& draw = draws_[span.front().draw];
     const std::uint64_t last = eye_.look(draw, span.back());
     const LooseEye::Part last_part = eye_.parts().front();
+    const bool palette = draw.palette_ports != 0;
+    const double last_commit = palette ? eye_.cost(draw).commit : 0;
     const std::uint64_t first = eye_.look(draw, span.front());
+    if (palette) {  // taps make its time, and change where tiles do not
+      cost_ = eye_.cost(draw);
+      cost_.commit = (cost_.commit + last_commit) / 2;
+    }
     if (all_hit_ && first == first_hash_ && last == last_hash_) return spend(span.size());
     first_hash_ = first;
     last_hash_ = last;
     all_hit_ = true;
-    cost_ = eye_.cost(draw);
+    if (!palette) cost_ = eye_.cost(draw);
     const LooseEye::Part& part = eye_.parts().front();
     const Distance distance = between(part, span.front(), span.back());
     if (eye_.parts().size() == 1 && along_a_row(part, last_part, distance)) {
@@ -163,6 +169,7 @@ class LooseUnit {
   /// Fragments that cost what the one looked at last did. They are saved up until a line is missed.
   void spend(std::size_t fragments) {
     const auto count = static_cast<double>(fragments);
+    if (saved_beats_ == 0) first_beats_ = cost_.beats;
     saved_beats_ += cost_.beats * count;
     saved_tags_ += std::max(cost_.beats, input_pace_) * count;
     saved_commit_ += std::max(cost_.commit, output_pace_) * count;
@@ -170,7 +177,7 @@ class LooseUnit {
   }
   void advance() {
     if (saved_beats_ == 0) return;
-    time_.advance(saved_beats_, saved_tags_, saved_commit_, lines_, width_);
+    time_.advance(saved_beats_, saved_tags_, saved_commit_, lines_, width_, first_beats_);
     saved_beats_ = saved_tags_ = saved_commit_ = 0;
     lines_.clear();
   }
@@ -234,7 +241,8 @@ class LooseUnit {
   std::vector<std::uint32_t> lines_;
   std::size_t width_ = 1;  ///< lines of a rank
   std::uint64_t first_hash_ = 0, last_hash_ = 0, looked_up_ = 0;
-  bool all_hit_ = false;  ///< in the last walk
+  bool all_hit_ = false;    ///< in the last walk
+  double first_beats_ = 1;  ///< of the first of the fragments saved up
   double saved_beats_ = 0, saved_tags_ = 0, saved_commit_ = 0;
 };
 
