@@ -22,8 +22,7 @@ struct UnitEstimate {
 /// commit stage goes at the pace of what binds, beats, passes or palette.
 ///
 /// Assumes   neighbours in a span belong together (no edges within it); a seam that splits is met
-///           as often as its share of the texels; where each TMU reads as many words of each
-///           texture as the others, their caches do the same. Gaps and stalls count by their mean.
+///           as often as its share of the texels. Gaps and stalls count by their mean.
 /// Error     total cycles within 3 % of `exact` on scenes of 65,536 fragments and more without
 ///           random stalls (tests/pipeline/estimate_test.cpp)
 /// Requires  a valid configuration, legal draws, fragments that name one of them; tile >= 1.

@@ -89,7 +89,7 @@ class LooseUnit {
     if (eye_.parts().size() == 1 && along_a_row(part, last_part, distance)) {
       walk_row(draw, part, last_part.span, span.size());
     } else {
-      walk(draw, first, span, 2 + std::abs(distance.x) + std::abs(distance.y));
+      walk(draw, first, span, 3 + std::abs(distance.x) + std::abs(distance.y));
     }
   }
 
@@ -198,34 +198,22 @@ class LooseUnit {
       for (std::uint32_t tx = span.across.t0;; tx = span.across.t1) {
         const TilePlace tile =
             map_.place(tx, ty, salt, level.base + (ty * level.across + tx) * planes);
-        look_up_tile(draw, static_cast<std::uint32_t>(part.texture->texture), tile);
+        look_up_tile(draw, static_cast<std::size_t>(part.texture->texture), tile);
         if (tx == span.across.t1) break;
       }
       if (ty == span.down.t1) break;
     }
   }
 
-  void miss(const DrawPlan& draw, std::uint32_t line) {
-    advance();
-    all_hit_ = false;
-    width_ = std::min<std::size_t>(tmus_, draw.words_of[0] + draw.words_of[1]);
-    lines_.push_back(line);
-  }
-
-  void look_up_tile(const DrawPlan& draw, std::uint32_t texture, const TilePlace& tile) {
-    const bool one_for_all = draw.tmus_alike;
-    for (unsigned b = 0; b < draw.beats; ++b) {
-      const BeatPlan& beat = draw.beat[b];
-      for (unsigned w = 0; w < (one_for_all ? 1 : beat.words); ++w) {
-        const WordPlan& word = beat.word[w];
-        if (word.texture != texture) continue;
-        const std::uint32_t line = tile.line + word.plane;
-        if (caches_[w].use(map_.row(tile, word.plane), line)) continue;
-        miss(draw, line);
-        for (unsigned other = 1; one_for_all && other < beat.words; ++other) {
-          miss(draw, tile.line + beat.word[other].plane);
-        }
-      }
+  void look_up_tile(const DrawPlan& draw, std::size_t texture, const TilePlace& tile) {
+    for (unsigned w = 0; w < draw.words_of[texture]; ++w) {
+      const DrawPlan::Reader& reader = draw.readers[texture][w];
+      const std::uint32_t line = tile.line + reader.plane;
+      if (caches_[reader.tmu].use(map_.row(tile, reader.plane), line)) continue;
+      if (saved_beats_ != 0) advance();
+      all_hit_ = false;
+      width_ = std::min<std::size_t>(tmus_, draw.words_of[0] + draw.words_of[1]);
+      lines_.push_back(line);
     }
   }
 
