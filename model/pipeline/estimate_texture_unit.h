@@ -11,7 +11,8 @@ struct UnitEstimate {
   std::uint64_t lines_read = 0;  ///< expected
 };
 
-/// How long a frame takes, from a few of its fragments.
+/// How long a frame takes from cold caches (keep_cache is not looked at), from a few of its
+/// fragments.
 ///
 /// A span is a run of fragments of one draw, neighbours in x, up to the next multiple of `tile`.
 /// Its first and last fragment are looked at, and between them one for each tile of texels that
