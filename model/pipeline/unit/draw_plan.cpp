@@ -66,6 +66,7 @@ DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit) {
   } else if (draw.format == TextureFormat::palette_rgb) {
     plan.palette_ports = static_cast<unsigned>(unit.palette_rgb_ports);
   }
+  plan.beats_alone = plan.passes == 1 && plan.palette_ports == 0;
   if (draw.format != TextureFormat::none) plan.eval_multiplies = plan.passes == 3 ? 24 : 11;
   constexpr std::array<unsigned, 6> kCombine{0, 3, 6, 6, 0, 0};
   plan.combine_multiplies = kCombine[static_cast<std::size_t>(draw.combine)];

@@ -52,6 +52,8 @@ struct DrawPlan {
   /// Who reads a texture, in the order of its words: `words_of` of them.
   std::array<std::array<Reader, kDrawWordsMax>, 2> readers{};
   unsigned passes = 1;
+  bool beats_alone =
+      false;  ///< one pass, no palette: a beat may be a fragment, and pass as it came
   unsigned palette_ports = 0;  ///< 0: the map has no palette
   unsigned eval_multiplies = 0, combine_multiplies = 0;
 };
