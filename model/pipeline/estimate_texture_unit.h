@@ -11,7 +11,8 @@ struct UnitEstimate {
   std::uint64_t lines_read = 0;  ///< expected
 };
 
-/// How long a frame takes, from a few of its fragments.
+/// How long a frame takes from cold caches (keep_cache is not looked at), from a few of its
+/// fragments.
 ///
 /// A span is a run of fragments of one draw, neighbours in x, up to the next multiple of `tile`.
 /// Its first and last fragment are looked at, and between them one for each tile of texels that
@@ -22,8 +23,7 @@ struct UnitEstimate {
 /// commit stage goes at the pace of what binds, beats, passes or palette.
 ///
 /// Assumes   neighbours in a span belong together (no edges within it); a seam that splits is met
-///           as often as its share of the texels; where each TMU reads as many words of each
-///           texture as the others, their caches do the same. Gaps and stalls count by their mean.
+///           as often as its share of the texels. Gaps and stalls count by their mean.
 /// Error     total cycles within 3 % of `exact` on scenes of 65,536 fragments and more without
 ///           random stalls (tests/pipeline/estimate_test.cpp)
 /// Requires  a valid configuration, legal draws, fragments that name one of them; tile >= 1.

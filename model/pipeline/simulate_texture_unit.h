@@ -33,7 +33,8 @@ struct UnitSimulation {
 /// (testbench/run/child_process.h).
 /// Requires legal draws (check_draw) and fragments that name one of them. Throws
 /// std::invalid_argument for an illegal configuration or memory; a memory that answers with a
-/// TLM error ends the simulation with sc_core::sc_report. A fault (MemoryFault) is a result.
+/// TLM error ends the simulation with sc_core::sc_report. A fault (MemoryFault) is a result; its
+/// counters 2 to 7 are 0, the others those of all that was sent on its way.
 void simulate_texture_unit(const UnitSimulation& simulation);
 
 }  // namespace ptm::pipeline

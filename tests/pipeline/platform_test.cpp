@@ -1,16 +1,15 @@
 // The unit in someone's virtual platform: two units, one memory behind an interconnect, a
-// base-protocol checker on every link. Also memories that do not answer as they should.
+// base-protocol checker on every link.
 #include <gtest/gtest.h>
 
 #include <deque>
 #include <memory>
 
-#include "model/pipeline/simulate_texture_unit.h"
 #include "model/pipeline/unit/memory_target.h"
 #include "model/pipeline/unit/shared_memory.h"
 #include "model/pipeline/unit/texture_unit.h"
 #include "tests/pipeline/base_protocol_checker.h"
-#include "tests/pipeline/random_unit.h"
+#include "tests/pipeline/unit_plane.h"
 
 namespace ptm::pipeline {
 namespace {
@@ -18,7 +17,7 @@ namespace {
 using reference::UnitCounter;
 using reference::UnitFragment;
 using tests::BaseProtocolChecker;
-using tests::RandomUnit;
+using Plane = tests::UnitPlane;
 
 const sc_core::sc_time& clock_period() {
   static const sc_core::sc_time period(1, sc_core::SC_NS);
@@ -68,31 +67,6 @@ class PlatformUnit final : public sc_core::sc_module {
   }
 
   std::vector<UnitFragment> fragments_;
-};
-
-struct Plane {
-  reference::UnitConfig config;
-  std::vector<reference::Draw> draws;
-  std::vector<UnitFragment> fragments;
-  std::vector<reference::Line> lines;
-
-  /// Of `side` texels and pixels, drawn in rows.
-  explicit Plane(int side) {
-    reference::Draw draw;
-    draw.map = {.width = side, .height = side};
-    draws.push_back(draw);
-    lines.resize(static_cast<std::size_t>(side * side) / 16 * 3);
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
-        UnitFragment f;
-        f.x = static_cast<std::uint16_t>(x);
-        f.y = static_cast<std::uint16_t>(y);
-        f.u = (2 * x + 1) * (1 << 19) / side + 99;
-        f.v = (2 * y + 1) * (1 << 19) / side + 99;
-        fragments.push_back(f);
-      }
-    }
-  }
 };
 
 /// What a unit with its own memory does, bound to it directly.
@@ -240,51 +214,6 @@ TEST(Platform, ReportsAMemoryThatStopsAnswering) {
   EXPECT_NE(unit.result->fault->what.find("has not answered request 4"), std::string::npos)
       << unit.result->fault->what;
   unit.expect_clean();
-}
-
-UnitFrameResult simulate(const Plane& plane, const MemoryFault& fault) {
-  reference::UnitState state;
-  state.draws = plane.draws;
-  std::optional<UnitFrameResult> out;
-  UnitSimulation simulation;
-  simulation.state = &state;
-  simulation.fault = fault;
-  simulation.frames = {1, [&](std::size_t) { return UnitFrame{plane.fragments}; },
-                       [&](std::size_t, UnitFrameResult&& result) { out = std::move(result); }};
-  simulate_texture_unit(simulation);
-  return std::move(out.value());
-}
-
-TEST(MemoryFaults, NameCycleFragmentAndLineWhenALineNeverComes) {
-  const Plane plane(16);
-  const auto result = simulate(plane, {MemoryFault::Kind::never, 3});
-  ASSERT_TRUE(result.fault);
-  EXPECT_LT(result.taken.size(), plane.fragments.size());
-  const std::size_t waiting = result.taken.size();
-  const auto& f = plane.fragments[waiting];
-  EXPECT_NE(result.fault->what.find("(" + std::to_string(f.x) + ", " + std::to_string(f.y) + ")"),
-            std::string::npos)
-      << result.fault->what;
-  EXPECT_NE(result.fault->what.find("request 3"), std::string::npos);
-  EXPECT_NE(result.fault->what.find(std::to_string(result.fault->cycle)), std::string::npos);
-  EXPECT_GE(result.fault->cycle, kPatience);
-  EXPECT_LT(result.fault->cycle, kPatience + 1000);
-  EXPECT_EQ(result.answered[3], kNever);
-}
-
-TEST(MemoryFaults, EndTheRunInTheCycleOfAResponseWithAWrongTag) {
-  const Plane plane(16);
-  const auto result = simulate(plane, {MemoryFault::Kind::wrong_tag, 2});
-  ASSERT_TRUE(result.fault);
-  EXPECT_EQ(result.fault->cycle, result.answered[2]);
-  EXPECT_NE(result.fault->what.find("tag that is not outstanding"), std::string::npos);
-  EXPECT_TRUE(result.taken.empty()) << "the first fragment waits for that line";
-}
-
-TEST(MemoryFaults, ThatNeverHappenChangeNothing) {
-  const auto result = simulate(Plane(8), {MemoryFault::Kind::never, 100000});
-  EXPECT_FALSE(result.fault);
-  EXPECT_EQ(result.taken.size(), 64U);
 }
 
 /// Sends what a test wants to send.

@@ -67,6 +67,12 @@ unsigned Address::gather(const DrawPlan& draw, const UnitFragment& fragment, boo
   const unsigned footprints = (two_levels ? 2U : 1U) << fragment.probes_log2;
   same_ = footprints == footprints_ && fragment.draw == draw_;
   split_ = false;
+  if (same_ && footprints == 1 && draw.texture_count == 1) [[likely]] {
+    place(draw, draw.texture[0], 0, choice[0].level, fragment.u, fragment.v, false);
+    repeats = same_ && all_hit_ && !split_;
+    counters_.multiplies_address += draw.address_multiplies;
+    return 1;
+  }
   if (draw.texture_count < 2) {
     // What a draw before left there must not look like this one's.
     const std::size_t absent = draw.words_of[0] == 0 ? 0 : 1;

@@ -35,6 +35,7 @@ void plan_beats(DrawPlan& plan, unsigned tmus) {
     BeatPlan& beat = plan.beat[w / tmus];
     const WordPlan word = w < map_words ? WordPlan{0, w} : WordPlan{1, 0};
     beat.word[beat.words++] = word;
+    plan.readers[word.texture][plan.words_of[word.texture]++] = {w % tmus, word.plane};
     ++beat.words_of[word.texture];
     beat.filter_fields[word.texture] += fields_of(plan.draw.format, word);
   }
@@ -43,11 +44,9 @@ void plan_beats(DrawPlan& plan, unsigned tmus) {
     beat.address_multiplies = (beat.words_of[0] != 0 ? 4U : 0U) + (beat.words_of[1] != 0 ? 4U : 0U);
     plan.address_multiplies += beat.address_multiplies;
     for (std::size_t t = 0; t < 2; ++t) {
-      plan.words_of[t] += beat.words_of[t];
       plan.filter_fields[t] += beat.filter_fields[t];
     }
   }
-  plan.tmus_alike = plan.words_of[0] % tmus == 0 && plan.words_of[1] % tmus == 0;
 }
 
 }  // namespace
@@ -67,6 +66,7 @@ DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit) {
   } else if (draw.format == TextureFormat::palette_rgb) {
     plan.palette_ports = static_cast<unsigned>(unit.palette_rgb_ports);
   }
+  plan.beats_alone = plan.passes == 1 && plan.palette_ports == 0;
   if (draw.format != TextureFormat::none) plan.eval_multiplies = plan.passes == 3 ? 24 : 11;
   constexpr std::array<unsigned, 6> kCombine{0, 3, 6, 6, 0, 0};
   plan.combine_multiplies = kCombine[static_cast<std::size_t>(draw.combine)];

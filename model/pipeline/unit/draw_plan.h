@@ -46,8 +46,14 @@ struct DrawPlan {
   /// Of a whole footprint, by texture or in all.
   std::array<unsigned, 2> words_of{}, filter_fields{};
   unsigned address_multiplies = 0;
-  bool tmus_alike = false;  ///< each TMU reads as many words of each texture as the others
+  struct Reader {
+    std::uint32_t tmu = 0, plane = 0;
+  };
+  /// Who reads a texture, in the order of its words: `words_of` of them.
+  std::array<std::array<Reader, kDrawWordsMax>, 2> readers{};
   unsigned passes = 1;
+  bool beats_alone =
+      false;  ///< one pass, no palette: a beat may be a fragment, and pass as it came
   unsigned palette_ports = 0;  ///< 0: the map has no palette
   unsigned eval_multiplies = 0, combine_multiplies = 0;
 };

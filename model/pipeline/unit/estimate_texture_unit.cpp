@@ -72,18 +72,24 @@ class LooseUnit {
     const DrawPlan& draw = draws_[span.front().draw];
     const std::uint64_t last = eye_.look(draw, span.back());
     const LooseEye::Part last_part = eye_.parts().front();
+    const bool palette = draw.palette_ports != 0;
+    const double last_commit = palette ? eye_.cost(draw).commit : 0;
     const std::uint64_t first = eye_.look(draw, span.front());
+    if (palette) {  // taps make its time, and change where tiles do not
+      cost_ = eye_.cost(draw);
+      cost_.commit = (cost_.commit + last_commit) / 2;
+    }
     if (all_hit_ && first == first_hash_ && last == last_hash_) return spend(span.size());
     first_hash_ = first;
     last_hash_ = last;
     all_hit_ = true;
-    cost_ = eye_.cost(draw);
+    if (!palette) cost_ = eye_.cost(draw);
     const LooseEye::Part& part = eye_.parts().front();
     const Distance distance = between(part, span.front(), span.back());
     if (eye_.parts().size() == 1 && along_a_row(part, last_part, distance)) {
       walk_row(draw, part, last_part.span, span.size());
     } else {
-      walk(draw, first, span, 2 + std::abs(distance.x) + std::abs(distance.y));
+      walk(draw, first, span, 3 + std::abs(distance.x) + std::abs(distance.y));
     }
   }
 
@@ -163,6 +169,7 @@ class LooseUnit {
   /// Fragments that cost what the one looked at last did. They are saved up until a line is missed.
   void spend(std::size_t fragments) {
     const auto count = static_cast<double>(fragments);
+    if (saved_beats_ == 0) first_beats_ = cost_.beats;
     saved_beats_ += cost_.beats * count;
     saved_tags_ += std::max(cost_.beats, input_pace_) * count;
     saved_commit_ += std::max(cost_.commit, output_pace_) * count;
@@ -170,7 +177,7 @@ class LooseUnit {
   }
   void advance() {
     if (saved_beats_ == 0) return;
-    time_.advance(saved_beats_, saved_tags_, saved_commit_, lines_, width_);
+    time_.advance(saved_beats_, saved_tags_, saved_commit_, lines_, width_, first_beats_);
     saved_beats_ = saved_tags_ = saved_commit_ = 0;
     lines_.clear();
   }
@@ -191,34 +198,22 @@ class LooseUnit {
       for (std::uint32_t tx = span.across.t0;; tx = span.across.t1) {
         const TilePlace tile =
             map_.place(tx, ty, salt, level.base + (ty * level.across + tx) * planes);
-        look_up_tile(draw, static_cast<std::uint32_t>(part.texture->texture), tile);
+        look_up_tile(draw, static_cast<std::size_t>(part.texture->texture), tile);
         if (tx == span.across.t1) break;
       }
       if (ty == span.down.t1) break;
     }
   }
 
-  void miss(const DrawPlan& draw, std::uint32_t line) {
-    advance();
-    all_hit_ = false;
-    width_ = std::min<std::size_t>(tmus_, draw.words_of[0] + draw.words_of[1]);
-    lines_.push_back(line);
-  }
-
-  void look_up_tile(const DrawPlan& draw, std::uint32_t texture, const TilePlace& tile) {
-    const bool one_for_all = draw.tmus_alike;
-    for (unsigned b = 0; b < draw.beats; ++b) {
-      const BeatPlan& beat = draw.beat[b];
-      for (unsigned w = 0; w < (one_for_all ? 1 : beat.words); ++w) {
-        const WordPlan& word = beat.word[w];
-        if (word.texture != texture) continue;
-        const std::uint32_t line = tile.line + word.plane;
-        if (caches_[w].use(map_.row(tile, word.plane), line)) continue;
-        miss(draw, line);
-        for (unsigned other = 1; one_for_all && other < beat.words; ++other) {
-          miss(draw, tile.line + beat.word[other].plane);
-        }
-      }
+  void look_up_tile(const DrawPlan& draw, std::size_t texture, const TilePlace& tile) {
+    for (unsigned w = 0; w < draw.words_of[texture]; ++w) {
+      const DrawPlan::Reader& reader = draw.readers[texture][w];
+      const std::uint32_t line = tile.line + reader.plane;
+      if (caches_[reader.tmu].use(map_.row(tile, reader.plane), line)) continue;
+      if (saved_beats_ != 0) advance();
+      all_hit_ = false;
+      width_ = std::min<std::size_t>(tmus_, draw.words_of[0] + draw.words_of[1]);
+      lines_.push_back(line);
     }
   }
 
@@ -234,7 +229,8 @@ class LooseUnit {
   std::vector<std::uint32_t> lines_;
   std::size_t width_ = 1;  ///< lines of a rank
   std::uint64_t first_hash_ = 0, last_hash_ = 0, looked_up_ = 0;
-  bool all_hit_ = false;  ///< in the last walk
+  bool all_hit_ = false;    ///< in the last walk
+  double first_beats_ = 1;  ///< of the first of the fragments saved up
   double saved_beats_ = 0, saved_tags_ = 0, saved_commit_ = 0;
 };
 

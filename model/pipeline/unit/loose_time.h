@@ -19,24 +19,27 @@ class LooseTime {
         depth_(unit.fragment_fifo) {}
 
   /// Beats that follow each other, in `tags` cycles at the tags and `commit` at the commit stage;
-  /// the first of them misses `lines`, `width` of them in each rank.
+  /// the first fragment's, `own` of them, miss `lines`, `width` in each rank.
   void advance(double beats, double tags, double commit, std::span<const std::uint32_t> lines,
-               std::size_t width) {
+               std::size_t width, double own) {
     double pushed = std::max(tags_ + 1, place_for(beats_ + 1));
-    double ready = 0;
+    double ready = 0, ranks = 0;
     const std::size_t first = requests_;
     for (std::size_t n = 0; n < lines.size(); ++n) {
       if (n % width == 0) {
         const std::size_t last = (first + std::min(n + width, lines.size()) - 1) % slots_.size();
         pushed = std::max(pushed + (n == 0 ? 0 : 1), slots_[last]);
+        ++ranks;
       }
       ready = std::max(ready, request(lines[n], pushed));
     }
-    const double begins = std::max({commit_ + 1, pushed + 2, ready});
+    ranks = std::max(ranks, 1.0);
+    const double used = std::min(ranks, own);  // a beat's first rank takes no time of its own
+    const double begins = std::max({commit_ + ranks, pushed + 2, ready});
     for (std::size_t n = 0; n < lines.size(); ++n) slots_[(first + n) % slots_.size()] = begins + 1;
     beats_ += beats;
-    tags_ = std::max(pushed + tags - 1, place_for(beats_));
-    commit_ = std::max(begins + commit - 1, tags_ + 2);
+    tags_ = std::max(pushed + tags - used, place_for(beats_));
+    commit_ = std::max(begins + commit - used, tags_ + 2);
     history_[newest_ = (newest_ + 1) % kHistory] = {beats_, commit_};
   }
 

@@ -68,6 +68,7 @@ class TagCache {
   /// Returns whether it was there.
   bool use(std::uint32_t row, std::uint32_t line) {
     std::uint32_t* set = &tags_[row * ways_];
+    if (set[0] == line) return true;
     std::uint32_t moved = line;
     for (std::uint32_t w = 0; w < ways_; ++w) {
       std::swap(moved, set[w]);

@@ -21,7 +21,18 @@ inline unsigned Tags::list_tiles(const UnitBeat& beat, const TexturePlan& textur
   const LevelPlan& level = texture.level[at.level];
   const auto planes = static_cast<std::uint32_t>(texture.planes);
   const std::uint32_t salt = 3 * at.level + 5 * static_cast<std::uint32_t>(texture.texture);
-  unsigned count = 0, seen = 0;
+  unsigned count = 0;
+  if (beat.mask == 15) [[likely]] {
+    if (at.taps == 0) return 0;
+    const std::uint32_t right = at.tx1 - at.tx0;
+    for (std::uint32_t ty = at.ty0;; ty = at.ty1) {
+      const std::uint32_t line = level.base + (ty * level.across + at.tx0) * planes;
+      tiles[count++] = map_.place(at.tx0, ty, salt, line);
+      if (right != 0) tiles[count++] = map_.place(at.tx1, ty, salt, line + right * planes);
+      if (ty == at.ty1) return count;
+    }
+  }
+  unsigned seen = 0;
   for (unsigned tap = 0; tap < reference::kTaps; ++tap) {
     if ((at.taps & beat.mask & (1U << tap)) == 0) continue;
     // Tap tap & across | tap & down is the first of all that share this tile.

@@ -17,7 +17,7 @@ TextureUnit::TextureUnit(const sc_core::sc_module_name& name, const reference::U
       evaluator_("evaluator", combine_),
       filter_("filter", evaluator_),
       palette_("palette", filter_),
-      fetch_("fetch", palette_),
+      fetch_("fetch", palette_, sink_, timing.output_stall > 0),
       commit_("commit", fetch_),
       ring_("miss_ring", memory, unit.miss_fifo),
       tags_("tags", unit, ring_, commit_),
@@ -101,6 +101,12 @@ void TextureUnit::report_counters(Frame& frame, std::uint64_t accepted, Cycle fi
                                        c[UnitCounter::cycles_output_blocked] -
                                        c[UnitCounter::cycles_line_wait] -
                                        c[UnitCounter::cycles_ring_full];
+  if (frame.result.fault) {  // its beats wait for ever
+    for (auto n = static_cast<std::size_t>(UnitCounter::cycles);
+         n <= static_cast<std::size_t>(UnitCounter::cycles_input_empty); ++n) {
+      c.value[n] = 0;
+    }
+  }
   c[UnitCounter::bank_conflicts] = address_.counters().conflicts;
   c[UnitCounter::words] = address_.counters().words;
   c[UnitCounter::taps] = address_.counters().taps;
@@ -109,6 +115,10 @@ void TextureUnit::report_counters(Frame& frame, std::uint64_t accepted, Cycle fi
   c[UnitCounter::lines_read] = ring_.requests();
   c[UnitCounter::duplicate_lines] = tags_.counters().duplicates;
   c[UnitCounter::palette_lookups] = palette_.lookups();
+  report_draws(c);
+}
+
+void TextureUnit::report_draws(reference::UnitCounters& c) const {
   for (std::size_t d = 0; d < address_.draws().size(); ++d) {
     const DrawPlan& draw = address_.draws()[d];
     c[UnitCounter::multiplies_eval] += address_.fragments()[d] * draw.eval_multiplies;

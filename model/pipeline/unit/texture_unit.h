@@ -28,6 +28,7 @@ class TextureUnit final : public sc_core::sc_module {
  private:
   void reset(bool keep_cache);
   void report_counters(Frame& frame, std::uint64_t accepted, Cycle first);
+  void report_draws(reference::UnitCounters& counters) const;
   void report_fault(Frame& frame, Cycle last_accepted, Cycle patience);
 
   StreamTiming timing_;
