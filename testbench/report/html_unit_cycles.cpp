@@ -51,6 +51,7 @@ Row class_row(const UnitSection& unit, std::size_t i) {
   Row row = {"<i class=\"swatch cycle" + std::to_string(i) + "\"></i>" + c.name + "<small>" +
              c.meaning + "</small>"};
   for (const UnitTiming& timing : unit.timings) {
+    if (timing.estimate) continue;
     row.push_back(class_share(timing, c.counter) + "<small>" + grouped(timing.counters[c.counter]) +
                   "</small>");
   }
@@ -61,6 +62,7 @@ Row class_row(const UnitSection& unit, std::size_t i) {
 Row sum_row(const UnitSection& unit) {
   Row row = {"sum of the classes"};
   for (const UnitTiming& timing : unit.timings) {
+    if (timing.estimate) continue;
     std::uint64_t sum = 0;
     for (const CycleClass& c : kCycleClasses) sum += timing.counters[c.counter];
     const auto part = ratio(static_cast<double>(sum), cycles_of(timing));
@@ -73,10 +75,14 @@ Row sum_row(const UnitSection& unit) {
 
 void add_cycle_classes(std::string& page, const UnitSection& unit) {
   page += "<h3>Where the cycles went</h3>\n<div class=\"bars\">\n";
-  for (const UnitTiming& timing : unit.timings) add_bar(page, timing);
+  for (const UnitTiming& timing : unit.timings) {
+    if (!timing.estimate) add_bar(page, timing);
+  }
   page += "</div>\n";
   Row heads = {"Class"};
-  for (const UnitTiming& timing : unit.timings) heads.push_back(timing_label(timing.model));
+  for (const UnitTiming& timing : unit.timings) {
+    if (!timing.estimate) heads.push_back(timing_label(timing.model));
+  }
   open_table(page, "timed cycles",
              "Colours of the bars, and shares of all cycles; a cycle falls in the first class that "
              "holds, judged at the commit stage",

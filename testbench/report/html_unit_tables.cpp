@@ -32,6 +32,7 @@ void add_figure_row(std::string& page, const UnitSection& unit, const std::strin
 /// A count, and beneath it its share of another.
 std::string count_of(const UnitTiming& timing, UnitCounter n, UnitCounter whole,
                      const char* whose) {
+  if (!knows(timing, n)) return "–";
   const auto part =
       ratio(static_cast<double>(timing.counters[n]), static_cast<double>(timing.counters[whole]));
   return grouped(timing.counters[n]) + "<small>" + percent(part) + " of " + whose + "</small>";
@@ -46,6 +47,7 @@ void add_texture_row(std::string& page, const UnitSection& unit, const DrawTextu
                  "</small>",
              grouped(found.all()), grouped(found.misses)};
   for (const UnitTiming& timing : unit.timings) {
+    if (timing.estimate) continue;
     row.push_back(percent(look_ups(timing, texture.draw, texture.texture).rate()));
   }
   row.push_back(first_of_draw ? fixed(unit.draws[texture.draw].cycles_per_pixel, 3) : "");
@@ -72,6 +74,7 @@ void add_texture_table(std::string& page, const UnitSection& unit) {
   Row heads = {"Draw", "Texture", "Look-ups<small>" + lead + "</small>",
                "Misses<small>" + lead + "</small>"};
   for (const UnitTiming& timing : unit.timings) {
+    if (timing.estimate) continue;
     heads.push_back("Hit rate<small>" + timing_label(timing.model) + "</small>");
   }
   heads.push_back("Cycles a pixel<small>all hits, formula</small>");
@@ -109,8 +112,9 @@ void add_traffic_table(std::string& page, const UnitSection& unit) {
   for (const Line& line : kLines) {
     const auto number = static_cast<std::size_t>(line.counter);
     if (std::find(shown.begin(), shown.end(), number) == shown.end()) continue;
-    add_figure_row(page, unit, line.head,
-                   [&](const UnitTiming& t) { return cell(per_pixel(t, line.counter), 4); });
+    add_figure_row(page, unit, line.head, [&](const UnitTiming& t) {
+      return knows(t, line.counter) ? cell(per_pixel(t, line.counter), 4) : "–";
+    });
   }
   add_figure_row(page, unit, "Duplicate lines<small>also in another TMU's cache</small>",
                  [](const UnitTiming& t) {
@@ -158,7 +162,9 @@ void add_unit_counters(std::string& page, const UnitSection& unit) {
     const std::vector<std::string>& differing = unit.differing_counters;
     const bool marked = std::find(differing.begin(), differing.end(), name) != differing.end();
     Row row = {"<code>" + name + "</code>"};
-    for (const UnitTiming& t : unit.timings) row.push_back(grouped(t.counters.value[n]));
+    for (const UnitTiming& t : unit.timings) {
+      row.push_back(knows(t, n) ? grouped(t.counters.value[n]) : "–");
+    }
     add_row(page, marked ? "marked" : "", row);
   }
   close_table(page);

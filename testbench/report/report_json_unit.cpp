@@ -1,4 +1,5 @@
 #include "testbench/report/report_json.h"
+#include "testbench/report/unit_figures.h"
 
 namespace ptm::testbench {
 namespace {
@@ -27,9 +28,11 @@ Json draw_json(const UnitDraw& draw) {
 Json timing_json(const UnitTiming& timing) {
   Json counters = Json::object();
   for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
+    if (!knows(timing, n)) continue;
     counters[std::string(reference::unit_counter_names()[n])] = timing.counters.value[n];
   }
   return {{"seconds", timing.seconds},
+          {"estimate", timing.estimate},
           {"counters", std::move(counters)},
           {"lines_per_window", timing.lines_per_window}};
 }

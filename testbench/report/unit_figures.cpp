@@ -27,6 +27,14 @@ std::string timing_label(const std::string& model) {
   return html_escape(model);
 }
 
+bool knows(const UnitTiming& timing, std::size_t counter) {
+  constexpr std::array<UnitCounter, 5> kEstimated{UnitCounter::fragments, UnitCounter::pixels,
+                                                  UnitCounter::cycles, UnitCounter::beats,
+                                                  UnitCounter::lines_read};
+  return !timing.estimate || std::find(kEstimated.begin(), kEstimated.end(),
+                                       static_cast<UnitCounter>(counter)) != kEstimated.end();
+}
+
 const UnitTiming* find_timing(const UnitSection& unit, const std::string& model) {
   for (const UnitTiming& timing : unit.timings) {
     if (timing.model == model) return &timing;

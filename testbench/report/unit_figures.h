@@ -32,6 +32,11 @@ inline constexpr std::array<CycleClass, 5> kCycleClasses{{
 
 /// "pipeline (exact)", "pipeline (loose)"; any other model by its name, as HTML.
 [[nodiscard]] std::string timing_label(const std::string& model);
+/// Whether the model says anything of a counter: an estimate knows few.
+[[nodiscard]] bool knows(const UnitTiming& timing, std::size_t counter);
+[[nodiscard]] inline bool knows(const UnitTiming& timing, reference::UnitCounter n) {
+  return knows(timing, static_cast<std::size_t>(n));
+}
 /// nullptr if the model did not run.
 [[nodiscard]] const UnitTiming* find_timing(const UnitSection& unit, const std::string& model);
 /// Whose figures stand for the unit: rtl, else pipeline, else the first; nullptr if none ran.

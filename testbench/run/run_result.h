@@ -50,6 +50,7 @@ struct PresetFrames {
 struct UnitTiming {
   std::string model;  ///< "pipeline", "loose" or "rtl"
   double seconds = 0;
+  bool estimate = false;  ///< loose: knows fragments, pixels, cycles, beats and lines_read only
   reference::UnitCounters counters;  ///< over all frames
   /// Lines that arrived in each window of `UnitSection::window` cycles, frames one after another;
   /// empty for loose.

@@ -81,9 +81,10 @@ UnitSection make_section(const UnitJob& job, const std::vector<UnitTimed>& timed
                              warm_cycles_per_pixel(job, static_cast<int>(d))});
   }
   for (const UnitTimed& model : timed) {
+    const bool estimate = model.model == "loose";
     section.timings.push_back(
-        {model.model, model.seconds, total(model),
-         model.model == "loose" ? std::vector<std::uint32_t>{} : windows(model, section.window)});
+        {model.model, model.seconds, estimate, total(model),
+         estimate ? std::vector<std::uint32_t>{} : windows(model, section.window)});
   }
   return section;
 }

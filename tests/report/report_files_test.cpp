@@ -107,6 +107,8 @@ TEST_F(ReportFiles, HoldInJsonEveryCounterOfTheWholeUnit) {
   EXPECT_EQ(rtl["seconds"], 0.1526);
   EXPECT_EQ(json["timings"]["pipeline"]["lines_per_window"].size(), 1836U);
   EXPECT_TRUE(json["timings"]["loose"]["lines_per_window"].empty());
+  EXPECT_EQ(json["timings"]["loose"]["counters"].size(), 5U);
+  EXPECT_EQ(json["timings"]["loose"]["counters"]["beats"], 90000);
   EXPECT_EQ(json["late_pixels"], 2);
   EXPECT_EQ(json["differing_counters"], run.unit->differing_counters);
 }

@@ -88,6 +88,14 @@ TEST(UnitPage, DrawsEachClassAsWideAsItsShareOfTheCycles) {
   EXPECT_TRUE(has(page, "<td>20.70 %<small>24,310</small></td><td>21.95 %<small>26,188</small>"));
 }
 
+TEST(UnitPage, SaysNothingOfWhatAnEstimateDoesNotKnow) {
+  const std::string page = page_of(made_late_run(4, 4));
+  EXPECT_FALSE(has(page, "aria-label=\"Cycles of pipeline (loose) by class"));
+  EXPECT_TRUE(has(page, "Words a pixel</th><td>3.5000</td><td>–</td><td>3.5000</td>"));
+  EXPECT_TRUE(has(page, "Beats a pixel</th><td>1.3733</td><td>1.3733</td><td>1.3733</td>"));
+  EXPECT_TRUE(has(page, "<code>taps</code></th><td>917,504</td><td>–</td><td>917,504</td>"));
+}
+
 TEST(UnitPage, ShowsWhenClassesDoNotAddUpToTheCycles) {
   RunResult run = made_unit_run(4, 4, 1);
   EXPECT_TRUE(has(page_of(run), "sum of the classes</th><td>100 %<small>117,422</small>"));
