@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(RtlUnitSources, AreReadByYosysWithEveryModuleFound) {
   std::string files;
-  for (const std::string& list : {"rtl/files.f", "rtl/unit.f"}) {
+  for (const char* list : {"rtl/files.f", "rtl/unit.f"}) {
     for (const std::string& file : rtl_files(list)) files += ' ' + file;
   }
   const ToolRun run = run_tool("yosys -q -p 'read_verilog -sv -DYOSYS -Irtl" + files +
