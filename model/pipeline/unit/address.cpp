@@ -6,6 +6,8 @@ using reference::LevelChoice;
 using reference::UnitFragment;
 using reference::Value;
 
+Address::~Address() = default;
+
 void Address::reset() {
   registers_ = {};
   free_ = 0;

@@ -9,6 +9,8 @@ class Address final : public sc_core::sc_module {
  public:
   Address(const sc_core::sc_module_name& name, std::vector<DrawPlan> draws, Tags& out)
       : sc_module(name), draws_(std::move(draws)), out_(out) {}
+  /// Not inline: GCC 12 at -O2 checks the type of a member whose inlined destructor has run.
+  ~Address() override;
 
   /// Returns the cycle in which A0 takes the fragment.
   Cycle accept(const reference::UnitFragment& fragment, Cycle offered) {

@@ -19,7 +19,7 @@ class Fetch final : public sc_core::sc_module {
   [[nodiscard]] Cycle free() const { return free_; }
   /// The beat's transfer into F, not before free().
   void accept(const UnitBeat& beat, Cycle enter) {
-    const bool plain = beat.last && beat.completes && beat.draw->beats_alone;
+    const bool plain = beat.last && beat.draw->beats_alone;
     if (plain && clear_) [[likely]] {
       sink_.taken.push_back(enter + kWay);
       free_ = enter + 1;

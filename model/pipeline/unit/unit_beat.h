@@ -19,7 +19,7 @@ struct UnitBeat {
   const reference::UnitFragment* fragment = nullptr;
   unsigned mask = 15;     ///< taps of a sub-beat
   bool completes = true;  ///< the beat's last sub-beat
-  bool last = true;       ///< of its fragment, if it completes
+  bool last = true;       ///< it completes its fragment
   /// The fragment's look-ups are those of the one before, which all hit: they change nothing.
   bool repeats = false;
   unsigned ranks = 0;
