@@ -36,7 +36,7 @@ struct TimedPair {
 inline TimedPair run_pair(const UnitJob& job) {
   ChildProcess exact = start_unit_model(job, "pipeline");
   ChildProcess rtl = start_unit_model(job, "rtl");
-  return {take_unit_model(exact, job, "pipeline"), take_unit_model(rtl, job, "rtl")};
+  return {take_unit_model(exact, "pipeline"), take_unit_model(rtl, "rtl")};
 }
 
 /// Tolerance zero: pixels against the reference, cycles and counters against each other.
