@@ -50,7 +50,7 @@ def damaged(report):
             del parent_of(without, path)[path[-1]]
             yield path, "left out", without
         wrong = copy.deepcopy(report)
-        parent_of(wrong, path)[path[-1]] = True if path[-1] != "agree" else "yes"
+        parent_of(wrong, path)[path[-1]] = "yes" if path[-1] in ("agree", "estimate") else True
         yield path, "of a wrong type", wrong
     misspelt = copy.deepcopy(report)
     misspelt["diferences"] = []

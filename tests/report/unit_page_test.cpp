@@ -243,6 +243,7 @@ TEST(UnitPage, HoldsNoFigureThatIsNoNumberWhenNothingWasCounted) {
     timing = {
         timing.model,
         0,
+        timing.estimate,
         {},
         timing.lines_per_window.empty() ? timing.lines_per_window : std::vector<std::uint32_t>{0}};
   }
