@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "testbench/run/run_unit_scene.h"
+#include "testbench/run/unit_section.h"
 
 /// Scenes under scenes/ through reference, RTL and the timing exact.
 namespace ptm::testbench {
