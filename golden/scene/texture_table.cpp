@@ -127,7 +127,7 @@ void read_palette(const TableReader& table, TextureSpec& texture) {
   if (palette->is_boolean()) {
     texture.palette = palette->as_boolean()->get() ? kFullPalette : 0;
   } else {
-    table.read("palette", texture.palette, 1, 4096);
+    table.read("palette", texture.palette, 2, 4096);
   }
 }
 

@@ -30,6 +30,10 @@ void read_image(const TableReader& table, UnitScene& scene) {
       scene.size[k] =
           static_cast<int>(table.reader().integer(pair[k], table.name("size"), 1, kLargestPicture));
     }
+    if (std::int64_t{scene.size[0]} * scene.size[1] > kMostPixels) {
+      table.fail("size", std::to_string(scene.size[0]) + " x " + std::to_string(scene.size[1]),
+                 "at most 16777216 pixels");
+    }
   }
   constexpr std::array<std::pair<std::string_view, Traversal>, 2> traversals{
       {{"scan", Traversal::scan}, {"tiles", Traversal::tiles}}};

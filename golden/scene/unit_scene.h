@@ -105,6 +105,7 @@ struct DrawSpec {
   [[nodiscard]] int main_texture() const { return map >= 0 ? map : color; }
 };
 inline constexpr int kMostDraws = 4;
+inline constexpr std::int64_t kMostPixels = std::int64_t{1} << 24;  ///< each is held in memory
 
 enum class LightKind : std::uint8_t {
   local,        ///< the same (lu, lv) in every point's own frame, as a flat scene has it

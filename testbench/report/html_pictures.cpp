@@ -33,7 +33,7 @@ bool same_pictures(const RunComparison& comparison, const std::string& a, const 
 }
 
 std::string light_of(const RunResult& result, std::size_t frame) {
-  return light_text(result.lights[frame][0], result.lights[frame][1]);
+  return light_text(result.lights[frame]);
 }
 
 std::string reduction_note(int block, const char* how) {
@@ -134,15 +134,15 @@ void add_pictures(std::string& page, const RunResult& result, const RunCompariso
   const std::size_t frames = result.lights.size();
   page += "<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Pictures</h2>\n";
   if (frames == 1) {
-    page += "<p class=\"soft\">Light (lu, lv) = " + light_of(result, 0) + ".</p>\n";
+    page += "<p class=\"soft\">Light: " + light_of(result, 0) + ".</p>\n";
     add_frame(page, pngs, result, 0, kFirstFrameSide, nullptr);
     page += "</section>\n";
     return;
   }
   const std::vector<ShownPair> pairs = pairs_to_show(comparison);
   for (std::size_t f = 0; f < std::min(frames, kFramesShown); ++f) {
-    page += "<h3>Light " + std::to_string(f + 1) + " of " + std::to_string(frames) +
-            ": (lu, lv) = " + light_of(result, f) + "</h3>\n";
+    page += "<h3>Light " + std::to_string(f + 1) + " of " + std::to_string(frames) + ": " +
+            light_of(result, f) + "</h3>\n";
     add_frame(page, pngs, result, f, f == 0 ? kFirstFrameSide : kOtherFramesSide,
               pairs.empty() ? nullptr : pairs.front().pair);
   }

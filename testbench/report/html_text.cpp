@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "testbench/run/run_result.h"
+
 namespace ptm::testbench {
 namespace {
 
@@ -106,10 +108,14 @@ std::string duration(double seconds) {
   return seconds >= 1e-6 ? three(seconds * 1e6, "µs") : three(seconds * 1e9, "ns");
 }
 
-std::string light_text(double lu, double lv) {
-  std::string text = "(";  // appended to: GCC 12 warns of `"(" + fixed(...)` without cause
-  text += fixed(lu, 3) + ",\u00a0" + fixed(lv, 3) + ")";
-  return text;
+std::string light_text(const FrameLight& light) {
+  const bool local = light.kind == FrameLight::Kind::local;
+  std::string text = local                                       ? "(lu, lv) = ("
+                     : light.kind == FrameLight::Kind::direction ? "direction ("
+                                                                 : "position (";
+  text += fixed(light.x, 3) + ",\u00a0" + fixed(light.y, 3);
+  if (!local) text += ",\u00a0" + fixed(light.z, 3);
+  return text + ")";
 }
 
 std::string plural(std::size_t count, const std::string& noun) {

@@ -7,6 +7,8 @@
 /// Text and figures as the report's page prints them.
 namespace ptm::testbench {
 
+struct FrameLight;  // testbench/run/run_result.h
+
 /// Text that may stand between tags and inside quoted attributes: & < > " ' are escaped, control
 /// characters other than tab and newline become U+FFFD.
 [[nodiscard]] std::string html_escape(std::string_view text);
@@ -22,7 +24,9 @@ namespace ptm::testbench {
 [[nodiscard]] std::string share(double part);        ///< 12.35 %, the same about zero
 [[nodiscard]] std::string similarity(double ssim);   ///< 0.99751, and 1 for equal pictures only
 [[nodiscard]] std::string duration(double seconds);  ///< 1.24 s, 12.4 ms, 310 us
-[[nodiscard]] std::string light_text(double lu, double lv);  ///< (-1.000, 0.250), unbroken
+/// "(lu, lv) = (-1.000, 0.250)", "direction (0.000, -0.600, 0.800)", "position (...)"; numbers
+/// unbroken.
+[[nodiscard]] std::string light_text(const FrameLight& light);
 [[nodiscard]] std::string plural(std::size_t count, const std::string& noun);  ///< "1 light"
 
 }  // namespace ptm::testbench

@@ -79,13 +79,13 @@ void add_pixel_table(std::string& page, const ProbedPixel& pixel, const std::str
 
 void add_pixel(std::string& page, const RunResult& result, const ProbedPixel& pixel,
                std::size_t rank) {
-  const std::array<double, 2>& light = result.lights[static_cast<std::size_t>(pixel.where.frame)];
+  const FrameLight& light = result.lights[static_cast<std::size_t>(pixel.where.frame)];
   std::string where = "x " + std::to_string(pixel.where.x) + ", y " + std::to_string(pixel.where.y);
   if (result.lights.size() > 1) where += ", light " + std::to_string(pixel.where.frame + 1);
   page += std::string("<details") + (rank == 1 ? " open" : "") + ">\n<summary><b>" +
           std::to_string(rank) + ".</b> error " + levels(pixel.where.error) + " at " + where +
-          " <span class=\"soft\">· " + pixel.b + " against " + pixel.a +
-          ", (lu, lv) = " + light_text(light[0], light[1]) + "</span></summary>\n";
+          " <span class=\"soft\">· " + pixel.b + " against " + pixel.a + ", " + light_text(light) +
+          "</span></summary>\n";
   add_pixel_table(page, pixel, where);
   page += "</details>\n";
 }

@@ -89,12 +89,12 @@ void add_summary(std::string& page, const RunResult& result, const RunComparison
   add_fact(page, "Preset", result.preset);
   std::string lights;
   for (std::size_t i = 0; i < std::min(kFramesShown, result.lights.size()); ++i) {
-    lights += (i ? ", " : "") + light_text(result.lights[i][0], result.lights[i][1]);
+    lights += (i ? ", " : "") + light_text(result.lights[i]);
   }
   if (result.lights.size() > kFramesShown) {
     lights += " and " + std::to_string(result.lights.size() - kFramesShown) + " more";
   }
-  add_fact(page, plural(result.lights.size(), "light") + " (lu, lv)", lights);
+  add_fact(page, plural(result.lights.size(), "light"), lights);
   page += "</dl>\n</header>\n";
 }
 

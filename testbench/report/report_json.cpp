@@ -11,9 +11,16 @@ using Json = nlohmann::ordered_json;
 /// JSON has no infinity: the PSNR of identical pictures is null.
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// [lu, lv], or what the world's light is with its three numbers.
+Json light_json(const FrameLight& light) {
+  if (light.kind == FrameLight::Kind::local) return {light.x, light.y};
+  const bool direction = light.kind == FrameLight::Kind::direction;
+  return {{direction ? "direction" : "position", {light.x, light.y, light.z}}};
+}
+
 Json scene_json(const RunResult& result) {
   Json lights = Json::array();
-  for (const std::array<double, 2>& light : result.lights) lights.push_back(light);
+  for (const FrameLight& light : result.lights) lights.push_back(light_json(light));
   return {{"file", result.scene_file},  {"map", result.map_file}, {"map_format", result.map_format},
           {"preset", result.preset},    {"width", result.width},  {"height", result.height},
           {"lights", std::move(lights)}};

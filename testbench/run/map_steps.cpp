@@ -1,13 +1,11 @@
 #include "testbench/run/map_steps.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <sstream>
 
-#include "model/quantize/gain.h"
 #include "model/quantize/mip.h"
 #include "testbench/run/hardware_map.h"
+#include "testbench/run/map_parts.h"
 
 namespace ptm::testbench {
 namespace {
@@ -93,47 +91,26 @@ SteppedMap to_rgb_map(const PtmMap& map, const EvalConfig& config, quantize::Dit
 SteppedMap palette_map(const PtmMap& map, const EvalConfig& config,
                        const quantize::PaletteOptions& options) {
   const Held held = hold(map, config);
-  const quantize::Gram gram = quantize::hemisphere_gram();
-  // Beyond 1e9 no shift holds a coefficient anyway, and squares stay finite.
-  std::vector<double> real_coef = held.real.coef, weights;
-  for (double& a : real_coef) a = std::clamp(a, -1e9, 1e9);
-  std::vector<double> coef = real_coef;
-  if (held.kind == MapKind::lrgb) {
-    weights =
-        quantize::color_weights(held.color, quantize::equalize_strength(coef, held.color, gram));
-  }
-  const quantize::RealMap real{map.width, map.height, held.stored.polynomials, coef};
-  const quantize::Palette palette = quantize::make_palette(real, weights, options, gram);
-  const quantize::StoredMap table =
-      quantize::quantize(palette.view(), config, quantize::Method::nearest_plane, gram);
-  const quantize::StoredMap stored =
-      quantize::store_palette(real, palette, {table.bias, table.shift}, config, gram);
-  std::vector<std::uint8_t> color;
-  if (held.kind == MapKind::lrgb) {
-    color = quantize::refit_colors(real_coef, quantize::dequantize(stored), held.color, gram);
-  }
+  PalettizedMap made = palettize(held.view(), held.color, options, config);
   std::ostringstream how;
-  how << "a palette of " << palette.entries() << " entries after " << palette.rounds
-      << " rounds of k-means, seed " << options.seed << "; " << describe(stored);
-  return {to_ptm(stored, held.kind, std::move(color)), how.str()};
+  how << "a palette of " << made.palette.entries() << " entries after " << made.palette.rounds
+      << " rounds of k-means, seed " << options.seed << "; " << describe(made.stored);
+  return {to_ptm(made.stored, held.kind, std::move(made.color)), how.str()};
 }
 
 std::vector<PtmMap> mip_chain(const PtmMap& map, const EvalConfig& config) {
   const Held held = hold(map, config);
   std::vector<PtmMap> chain{held.map()};
-  std::vector<double> color(held.color.begin(), held.color.end());
-  for (const quantize::RealLevel& level : quantize::mip_levels(held.view())) {
-    std::vector<std::uint8_t> bytes;
-    if (held.kind == MapKind::lrgb) {
-      color = quantize::halve(color, chain.back().width, chain.back().height, 3);
-      bytes.resize(color.size());
-      std::transform(color.begin(), color.end(), bytes.begin(),
-                     [](double c) { return static_cast<std::uint8_t>(std::floor(c + 0.5)); });
-    }
+  const std::vector<quantize::RealLevel> levels = quantize::mip_levels(held.view());
+  std::vector<std::vector<std::uint8_t>> colors(levels.size() + 1);
+  if (held.kind == MapKind::lrgb) {
+    colors = halve_bytes(held.color, map.width, map.height, 3, static_cast<int>(colors.size()));
+  }
+  for (std::size_t l = 0; l < levels.size(); ++l) {
     chain.push_back(to_ptm(
-        quantize::quantize_on_grid(level.view(), held.grid(), config,
+        quantize::quantize_on_grid(levels[l].view(), held.grid(), config,
                                    quantize::Method::nearest_plane, quantize::hemisphere_gram()),
-        held.kind, std::move(bytes)));
+        held.kind, std::move(colors[l + 1])));
   }
   return chain;
 }

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -76,13 +75,20 @@ struct UnitSection {
   std::vector<std::string> differing_counters;  ///< pipeline against rtl
 };
 
+/// What lit a frame: (lu, lv) in every point's own frame, or in a unit scene's world the direction
+/// toward a light or the position of one.
+struct FrameLight {
+  double x = 0, y = 0, z = 0;  ///< lu, lv and 0 if local
+  enum class Kind : std::uint8_t { local, direction, position } kind = Kind::local;
+};
+
 struct RunResult {
   std::string scene_file, map_file, map_format, preset;
   int width = 0, height = 0;
-  std::vector<std::array<double, 2>> lights;  ///< (lu, lv), one a frame
-  std::vector<ModelResult> models;            ///< in the order golden, reference, pipeline, rtl
-  std::vector<PresetFrames> presets;          ///< for the table "error against golden per preset"
-  std::optional<UnitSection> unit;            ///< nothing for a flat map
+  std::vector<FrameLight> lights;     ///< one a frame
+  std::vector<ModelResult> models;    ///< in the order golden, reference, pipeline, rtl
+  std::vector<PresetFrames> presets;  ///< for the table "error against golden per preset"
+  std::optional<UnitSection> unit;    ///< nothing for a flat map
   PixelProbe probe;
   std::vector<std::string> notes;  ///< said to the user as they are
 };

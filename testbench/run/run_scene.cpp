@@ -85,7 +85,7 @@ SceneRun run_scene(const golden::Scene& scene) {
   result.preset = job->preset;
   result.width = job->width;
   result.height = job->height;
-  for (const golden::Light& light : job->lights) result.lights.push_back({light.u, light.v});
+  for (const golden::Light& light : job->lights) result.lights.push_back({light.u, light.v, 0});
   result.notes.push_back("the map was " + job->hardware.how);
 
   std::optional<ChildProcess> timing, rtl;  // forked before any thread of this process starts

@@ -1,11 +1,10 @@
 #include "testbench/run/unit_map.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "model/quantize/gain.h"
 #include "model/quantize/mip.h"
-#include "model/quantize/palette.h"
+#include "testbench/run/map_parts.h"
 
 namespace ptm::testbench {
 namespace {
@@ -19,33 +18,11 @@ struct RealLevels {
   std::vector<std::vector<std::uint8_t>> color;  ///< of each level; empty for three polynomials
 };
 
-std::vector<std::uint8_t> to_bytes(const std::vector<double>& values) {
-  std::vector<std::uint8_t> bytes(values.size());
-  std::transform(values.begin(), values.end(), bytes.begin(), [](double value) {
-    return static_cast<std::uint8_t>(std::clamp(std::floor(value + 0.5), 0.0, 255.0));
-  });
-  return bytes;
-}
-
-/// Bytes of a picture halved again and again, each level from the unrounded one above.
-std::vector<std::vector<std::uint8_t>> halve_bytes(const std::vector<std::uint8_t>& top, int width,
-                                                   int height, int channels, int levels) {
-  std::vector<std::vector<std::uint8_t>> all{top};
-  std::vector<double> values(top.begin(), top.end());
-  for (int level = 1; level < levels; ++level) {
-    values = quantize::halve(values, width, height, channels);
-    width = quantize::half_side(width);
-    height = quantize::half_side(height);
-    all.push_back(to_bytes(values));
-  }
-  return all;
-}
-
-RealLevels make_levels(const RealTexture& texture, const std::vector<double>& coef,
+RealLevels make_levels(const RealTexture& texture, std::vector<double> coef,
                        const std::vector<std::uint8_t>& color, int levels) {
   RealLevels made;
   const auto polynomials = static_cast<int>(texture.real.polynomials);
-  made.levels.push_back({texture.width, texture.height, polynomials, coef});
+  made.levels.push_back({texture.width, texture.height, polynomials, std::move(coef)});
   if (levels > 1) {
     for (quantize::RealLevel& level : quantize::mip_levels(made.levels[0].view())) {
       if (static_cast<int>(made.levels.size()) < levels) made.levels.push_back(std::move(level));
@@ -116,7 +93,7 @@ UnitMap store_unit_map(const RealTexture& texture, int levels, const EvalConfig&
   if (!import.map && !map.rgb) {
     quantize::balance_luminance(coef, color, hemisphere_lights(), config);
   }
-  const RealLevels real = make_levels(texture, coef, color, levels);
+  const RealLevels real = make_levels(texture, std::move(coef), color, levels);
   quantize::StoredMap top = import.map ? std::move(*import.map)
                                        : quantize::quantize(real.levels[0].view(), config,
                                                             quantize::Method::nearest_plane, gram);
@@ -136,34 +113,18 @@ UnitMap store_unit_map(const RealTexture& texture, int levels, const EvalConfig&
 
 UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,
                            const EvalConfig& config) {
-  const quantize::Gram gram = quantize::hemisphere_gram();
   UnitMap map;
   map.rgb = texture.real.polynomials == 3;
   const RealLevels real = make_levels(texture, texture.real.coef, texture.color, levels);
-  Flat flat = flatten(real);
-  for (double& a : flat.coef) a = std::clamp(a, -1e9, 1e9);  // beyond it no shift holds one
-  const std::vector<double> before = flat.coef;
-  std::vector<double> weights;
-  if (!map.rgb) {
-    weights = quantize::color_weights(flat.color,
-                                      quantize::equalize_strength(flat.coef, flat.color, gram));
-  }
+  const Flat flat = flatten(real);
   const int polynomials = map.rgb ? 3 : 1;
   const auto texels = static_cast<int>(flat.coef.size()) / (6 * polynomials);
-  const quantize::RealMap all{texels, 1, polynomials, flat.coef};
-  const quantize::Palette palette =
-      quantize::make_palette(all, weights, {.entries = entries}, gram);
-  const quantize::StoredMap table =
-      quantize::quantize(palette.view(), config, quantize::Method::nearest_plane, gram);
-  take_grid({table.bias, table.shift}, map);
-  map.palette = table.coef;
-  if (!map.rgb) {
-    const quantize::StoredMap stored =
-        quantize::store_palette(all, palette, {table.bias, table.shift}, config, gram);
-    flat.color = quantize::refit_colors(before, quantize::dequantize(stored), flat.color, gram);
-  }
-  auto index = palette.index.begin();
-  auto color = flat.color.begin();
+  PalettizedMap made =
+      palettize({texels, 1, polynomials, flat.coef}, flat.color, {.entries = entries}, config);
+  take_grid({made.table.bias, made.table.shift}, map);
+  map.palette = std::move(made.table.coef);
+  auto index = made.palette.index.begin();
+  auto color = made.color.begin();
   for (const quantize::RealLevel& level : real.levels) {
     const auto count = static_cast<std::ptrdiff_t>(level.width) * level.height;
     reference::StoredPaletteMap& stored = map.indexed.emplace_back();
@@ -176,7 +137,7 @@ UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,
     stored.color.assign(color, color + 3 * count);
     color += 3 * count;
   }
-  map.how = "a palette of " + std::to_string(palette.entries()) + " entries";
+  map.how = "a palette of " + std::to_string(made.palette.entries()) + " entries";
   return map;
 }
 

@@ -21,7 +21,8 @@ namespace ptm::testbench {
 [[nodiscard]] golden::ImageReal unit_image(const golden::UnitScene& scene,
                                            const std::vector<reference::UnitPixel>& pixels);
 
-/// What a timed model said; frames that were drawn only to warm the caches are left out.
+/// What a timed model said; frames that were drawn only to warm the caches are left out. A fault is
+/// the last frame's, and frames after it are missing.
 struct UnitTimed {
   std::string model;
   double seconds = 0;  ///< of the model alone
@@ -31,8 +32,7 @@ struct UnitTimed {
 /// Starts "pipeline" (the timing exact), "loose" or "rtl"; the job must stay as it is until
 /// take_unit_model(). "rtl" throws InputError before anything starts if no such unit was verilated.
 [[nodiscard]] ChildProcess start_unit_model(const UnitJob& job, const std::string& model);
-[[nodiscard]] UnitTimed take_unit_model(ChildProcess& child, const UnitJob& job,
-                                        const std::string& model);
+[[nodiscard]] UnitTimed take_unit_model(ChildProcess& child, const std::string& model);
 
 /// What a timed model is given, but for its frames.
 [[nodiscard]] pipeline::UnitSimulation unit_simulation(const UnitJob& job);

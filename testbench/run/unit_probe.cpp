@@ -107,7 +107,8 @@ PixelProbe make_unit_probe(std::shared_ptr<const UnitJob> job, std::vector<UnitT
       append_pixel(reference::shade(job->config, job->state, fragment), values);
     }
     for (const UnitTimed& unit : timed) {
-      if (unit.model != model || index >= unit.frames[n].taken.size()) continue;
+      if (unit.model != model || n >= unit.frames.size()) continue;
+      if (index >= unit.frames[n].taken.size()) continue;  // a fault came first
       if (model == "rtl") append_pixel(unit.frames[n].pixels[index], values);
       values.push_back({"leaves in cycle", std::to_string(unit.frames[n].taken[index])});
     }

@@ -11,10 +11,13 @@ void check_unit_variant(const UnitJob& job) {
     (void)make_rtl_unit(job.config, job.unit);
   } catch (const std::invalid_argument& error) {
     const golden::HardwareSpec& hardware = job.scene.hardware;
-    throw golden::InputError(job.scene.file.string(),
-                             hardware.place.empty() ? "the file" : hardware.place,
-                             "a unit that is not among those built as RTL",
-                             std::string(error.what()) + "; or models without rtl");
+    const std::string what = error.what(), before = "there is: ";
+    const std::size_t list = what.find(before);
+    throw golden::InputError(
+        job.scene.file.string(), hardware.place.empty() ? "the file" : hardware.place,
+        "parameters that no RTL unit is built with",
+        "models without rtl, or one of " +
+            (list == std::string::npos ? what : what.substr(list + before.size())));
   }
 }
 

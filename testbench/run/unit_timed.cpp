@@ -97,7 +97,8 @@ void run_model(const UnitJob& job, const std::string& model,
   throw std::invalid_argument("no timed model '" + model + "'");
 }
 
-/// Runs a model over the job's frames; what counts goes into the file, the time comes last.
+/// Runs a model over the job's frames; those that count go into the file, each behind a true, then
+/// a false and the time. A fault ends the run: then frames are missing.
 void simulate(const UnitJob& job, const std::string& model, ResultFile& file) {
   const std::vector<PlannedFrame> frames = plan(job);
   pipeline::UnitSimulation simulation = unit_simulation(job);
@@ -110,12 +111,16 @@ void simulate(const UnitJob& job, const std::string& model, ResultFile& file) {
   };
   simulation.frames.take = [&](std::size_t n, UnitFrameResult&& result) {
     const Stopwatch taking;
-    file.put(frames[n].counted);
-    if (frames[n].counted) put(file, result);
+    if (frames[n].counted || result.fault) {
+      file.put(true);
+      put(file, result);
+    }
     writing += taking.seconds();
   };
   run_model(job, model, simulation);
-  file.put(watch.seconds() - loading - writing);
+  const double seconds = watch.seconds() - loading - writing;
+  file.put(false);
+  file.put(seconds);
 }
 
 }  // namespace
@@ -135,13 +140,11 @@ ChildProcess start_unit_model(const UnitJob& job, const std::string& model) {
           [&job, model](ResultFile& file) { simulate(job, model, file); }};
 }
 
-UnitTimed take_unit_model(ChildProcess& child, const UnitJob& job, const std::string& model) {
+UnitTimed take_unit_model(ChildProcess& child, const std::string& model) {
   ResultFile& file = child.wait();
   UnitTimed timed;
   timed.model = model;
-  for (std::size_t n = 0; n < plan(job).size(); ++n) {
-    if (file.get<bool>()) timed.frames.push_back(get(file));
-  }
+  while (file.get<bool>()) timed.frames.push_back(get(file));
   timed.seconds = file.get<double>();
   return timed;
 }

@@ -74,8 +74,8 @@ inline testbench::RunResult made_run(int width, int height, std::size_t lights) 
   run.presets = {{"paper8", {}}, {"base", {}}, {"wide", {}}};
   for (std::size_t i = 0; i < lights; ++i) {
     const double angle = 2.4 * static_cast<double>(i);
-    run.lights.push_back({-0.6 * std::cos(angle), 0.6 * std::sin(angle)});
-    const golden::ImageReal exact = ball(width, height, run.lights[i][0], run.lights[i][1]);
+    run.lights.push_back({-0.6 * std::cos(angle), 0.6 * std::sin(angle), 0});
+    const golden::ImageReal exact = ball(width, height, run.lights[i].x, run.lights[i].y);
     run.models[0].frames.push_back(exact);
     for (std::size_t m = 1; m < 4; ++m) run.models[m].frames.push_back(rounded(exact, 1.3));
     run.presets[0].frames.push_back(rounded(exact, 9));

@@ -68,6 +68,9 @@ inline testbench::RunResult made_unit_run(int width, int height, std::size_t fra
   testbench::RunResult run = made_run(width, height, frames);
   run.scene_file = "scenes/floor_and_ball.toml";
   run.unit = made_unit();
+  for (testbench::FrameLight& light : run.lights) {
+    light = {0.6, -0.48, 0.64, testbench::FrameLight::Kind::direction};
+  }
   return run;
 }
 
@@ -86,6 +89,7 @@ inline testbench::RunResult made_late_run(int width, int height) {
   n[reference::UnitCounter::cycles_line_wait] += 40;
   unit.timings[0].lines_per_window = made_windows(1836, 3100);
   unit.late_pixels = 2;
+  run.lights.front().kind = testbench::FrameLight::Kind::position;
   unit.differing_counters = {"cycles", "cycles_line_wait"};
   return run;
 }

@@ -34,6 +34,16 @@ std::string between(const std::string& page, const std::string& from, const std:
   return page.substr(begin, page.find(to, begin) - begin);
 }
 
+TEST(UnitPage, SaysOfEachLightWhatItIsInTheWorld) {
+  RunResult run = made_unit_run(4, 4, 3);
+  run.lights[1].kind = FrameLight::Kind::position;
+  run.lights[2] = {-0.5, 0.25};
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page, "Light 1 of 3: direction (0.600,\u00a0-0.480,\u00a00.640)</h3>"));
+  EXPECT_TRUE(has(page, "Light 2 of 3: position (0.600,\u00a0-0.480,\u00a00.640)</h3>"));
+  EXPECT_TRUE(has(page, "Light 3 of 3: (lu, lv) = (-0.500,\u00a00.250)</h3>"));
+}
+
 TEST(UnitPage, IsAbsentFromAFlatScenesReport) {
   const std::string flat = page_of(tests::made_run(4, 4, 1));
   for (const char* word : {"texture unit", "Fill rate", "Hit rate", "class=\"cycles\"", "Bandwidth",

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "testbench/run/run_unit_scene.h"
+#include "testbench/run/unit_section.h"
 
 /// Scenes under scenes/ through reference, RTL and the timing exact.
 namespace ptm::testbench {
@@ -36,7 +36,7 @@ struct TimedPair {
 inline TimedPair run_pair(const UnitJob& job) {
   ChildProcess exact = start_unit_model(job, "pipeline");
   ChildProcess rtl = start_unit_model(job, "rtl");
-  return {take_unit_model(exact, job, "pipeline"), take_unit_model(rtl, job, "rtl")};
+  return {take_unit_model(exact, "pipeline"), take_unit_model(rtl, "rtl")};
 }
 
 /// Tolerance zero: pixels against the reference, cycles and counters against each other.

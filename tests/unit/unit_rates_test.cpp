@@ -11,7 +11,7 @@ using reference::UnitCounter;
 
 UnitTimed run_one(const UnitJob& job, const std::string& model) {
   ChildProcess child = start_unit_model(job, model);
-  return take_unit_model(child, job, model);
+  return take_unit_model(child, model);
 }
 
 double rate(const reference::UnitCounters& counters) {

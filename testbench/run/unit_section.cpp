@@ -1,0 +1,122 @@
+#include "testbench/run/unit_section.h"
+
+#include <algorithm>
+#include <set>
+
+#include "model/reference/unit/beats.h"
+
+namespace ptm::testbench {
+namespace {
+
+constexpr std::uint64_t kWindows = 240;  ///< of the bandwidth chart
+
+/// Lines that arrived a window, frames one after another.
+std::vector<std::uint32_t> windows(const UnitTimed& timed, std::uint64_t window) {
+  std::vector<std::uint32_t> lines;
+  for (const pipeline::UnitFrameResult& frame : timed.frames) {
+    const std::size_t first = lines.size();
+    const std::uint64_t last = frame.taken.empty() ? 0 : frame.taken.back();
+    lines.resize(first + last / window + 1);
+    for (const pipeline::Cycle cycle : frame.answered) {
+      if (cycle <= last) ++lines[first + cycle / window];
+    }
+  }
+  return lines;
+}
+
+std::string texture_name(const UnitJob& job, int texture) {
+  return texture < 0 ? "" : job.textures[static_cast<std::size_t>(texture)].name;
+}
+
+const UnitTimed* find(const std::vector<UnitTimed>& timed, const std::string& model) {
+  const auto found = std::find_if(timed.begin(), timed.end(),
+                                  [&](const UnitTimed& t) { return t.model == model; });
+  return found == timed.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+reference::UnitCounters total_counters(const UnitTimed& timed) {
+  reference::UnitCounters sum;
+  for (const pipeline::UnitFrameResult& frame : timed.frames) {
+    for (std::size_t i = 0; i < sum.value.size(); ++i) sum.value[i] += frame.counters.value[i];
+  }
+  return sum;
+}
+
+std::uint64_t count_late_pixels(const UnitTimed& a, const UnitTimed& b) {
+  std::uint64_t late = 0;
+  for (std::size_t n = 0; n < std::max(a.frames.size(), b.frames.size()); ++n) {
+    static const std::vector<pipeline::Cycle> none;
+    const auto& x = n < a.frames.size() ? a.frames[n].taken : none;
+    const auto& y = n < b.frames.size() ? b.frames[n].taken : none;
+    const std::size_t both = std::min(x.size(), y.size());
+    for (std::size_t i = 0; i < both; ++i) late += x[i] != y[i] ? 1U : 0U;
+    late += std::max(x.size(), y.size()) - both;
+  }
+  return late;
+}
+
+std::vector<std::string> differing_counters(const UnitTimed& a, const UnitTimed& b) {
+  const reference::UnitCounters none;
+  std::set<std::size_t> differing;
+  for (std::size_t n = 0; n < std::max(a.frames.size(), b.frames.size()); ++n) {
+    const auto& x = n < a.frames.size() ? a.frames[n].counters : none;
+    const auto& y = n < b.frames.size() ? b.frames[n].counters : none;
+    for (std::size_t i = 0; i < reference::kUnitCounters; ++i) {
+      if (x.value[i] != y.value[i]) differing.insert(i);
+    }
+  }
+  std::vector<std::string> list;
+  for (const std::size_t i : differing) list.emplace_back(reference::unit_counter_names()[i]);
+  return list;
+}
+
+double warm_cycles_per_pixel(const UnitJob& job, int draw) {
+  const reference::Draw& d = job.state.draws[static_cast<std::size_t>(draw)];
+  const int groups = (draw_words(d) + job.unit.tmus - 1) / job.unit.tmus;
+  const int passes = (draw_passes(d) + job.unit.eval_lanes - 1) / job.unit.eval_lanes;
+  double sum = 0, count = 0;
+  for (const UnitFrameInput& frame : job.frames) {
+    for (const reference::UnitFragment& fragment : frame.fragments) {
+      if (fragment.draw != draw) continue;
+      const int beats =
+          groups * reference::footprint_count(d, fragment) * (1 << fragment.probes_log2);
+      sum += std::max(beats, passes);
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+UnitSection make_unit_section(const UnitJob& job, const std::vector<UnitTimed>& timed) {
+  UnitSection section;
+  section.config = job.unit;
+  section.memory = describe(job.memory);
+  std::uint64_t cycles = 0;
+  for (const UnitTimed& model : timed) {
+    cycles = std::max(cycles, total_counters(model)[reference::UnitCounter::cycles]);
+  }
+  section.window = std::max<std::uint64_t>(1, cycles / kWindows);
+  for (std::size_t d = 0; d < job.scene.draws.size(); ++d) {
+    const golden::DrawSpec& spec = job.scene.draws[d];
+    section.draws.push_back({"draw " + std::to_string(d), texture_name(job, spec.map),
+                             texture_name(job, spec.color),
+                             warm_cycles_per_pixel(job, static_cast<int>(d))});
+  }
+  for (const UnitTimed& model : timed) {
+    const bool estimate = model.model == "loose";
+    section.timings.push_back(
+        {model.model, model.seconds, estimate, total_counters(model),
+         estimate ? std::vector<std::uint32_t>{} : windows(model, section.window)});
+  }
+  const UnitTimed* exact = find(timed, "pipeline");
+  const UnitTimed* rtl = find(timed, "rtl");
+  if (exact && rtl) {
+    section.late_pixels = count_late_pixels(*exact, *rtl);
+    section.differing_counters = differing_counters(*exact, *rtl);
+  }
+  return section;
+}
+
+}  // namespace ptm::testbench
