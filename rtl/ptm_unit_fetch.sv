@@ -8,6 +8,7 @@ module ptm_unit_fetch #(
   parameter int Rows = 256,  // lines of a TMU's cache
   localparam int RowBits   = ptm_unit_front_pkg::RowBits,
   localparam int LineWidth = ptm_unit_front_pkg::LineWidth,
+  localparam int TakenW    = ptm_unit_front_pkg::TakenW,
   localparam int ReadsW    = ptm_unit_front_pkg::ReadsW,
   localparam int TapsW     = ptm_unit_pkg::TapsW
 ) (
@@ -22,6 +23,7 @@ module ptm_unit_fetch #(
   input  logic                valid_i,
   output logic                ready_o,
   input  ptm_unit_pkg::beat_t beat_i,
+  input  logic [2*TakenW-1:0]    taken_i,
   input  logic [Tmus*ReadsW-1:0] reads_i,
   // D
   output logic                valid_o,
@@ -39,19 +41,41 @@ module ptm_unit_fetch #(
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(f_valid), .ready_o(f_ready), .load_o(d_load),
     .valid_o(valid_o), .ready_i(ready_i)
   );
+  ptm_unit_front_pkg::taken_t f_map_q, f_color_q;
   always_ff @(posedge clk_i) begin
-    if (f_load) f_beat_q <= beat_i;
+    if (f_load) begin
+      f_beat_q             <= beat_i;
+      {f_color_q, f_map_q} <= taken_i;
+    end
     if (d_load) d_beat_q <= f_beat_q;
   end
   assign beat_o = d_beat_q;
 
+  // Where either texture's taps lie
+  logic [3:0]  f_map_here, f_color_here, d_map_fetched, d_color_fetched;
+  logic [7:0]  f_map_tag_bank, f_color_tag_bank, d_map_word, d_color_word, d_map_bank, d_color_bank;
+  ptm_unit_taps u_map (
+    .clk_i(clk_i), .taken_i(f_map_q), .here_o(f_map_here), .tag_bank_o(f_map_tag_bank),
+    .d_load_i(d_load), .word_o(d_map_word), .fetched_o(d_map_fetched), .bank_o(d_map_bank)
+  );
+  ptm_unit_taps u_color (
+    .clk_i(clk_i), .taken_i(f_color_q), .here_o(f_color_here), .tag_bank_o(f_color_tag_bank),
+    .d_load_i(d_load), .word_o(d_color_word), .fetched_o(d_color_fetched), .bank_o(d_color_bank)
+  );
+
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
+    logic f_color, d_color;  // the texture of its word
     ptm_unit_tmu_fetch #(
       .Rows(Rows)
     ) u_tmu (
       .clk_i(clk_i), .write_i(commit_i && rank_i[t]), .write_row_i(row_i[t*RowBits +: RowBits]),
       .line_i(line_i[t*LineWidth +: LineWidth]), .f_load_i(f_load),
-      .reads_i(reads_i[t*ReadsW +: ReadsW]), .d_load_i(d_load), .taps_o(taps_o[t*TapsW +: TapsW])
+      .reads_i(reads_i[t*ReadsW +: ReadsW]), .f_color_o(f_color),
+      .here_i(f_color ? f_color_here : f_map_here),
+      .tag_bank_i(f_color ? f_color_tag_bank : f_map_tag_bank), .d_load_i(d_load),
+      .d_color_o(d_color), .fetched_i(d_color ? d_color_fetched : d_map_fetched),
+      .word_i(d_color ? d_color_word : d_map_word), .bank_i(d_color ? d_color_bank : d_map_bank),
+      .taps_o(taps_o[t*TapsW +: TapsW])
     );
   end
 endmodule

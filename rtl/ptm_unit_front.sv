@@ -51,6 +51,7 @@ module ptm_unit_front #(
 );
   localparam int Sets = CacheKib * 4 / Ways;  // of a tag bank
   localparam int Rows = CacheKib * 16;        // of a data bank
+  localparam int TakenW = ptm_unit_front_pkg::TakenW;
   localparam int ReadsW = ptm_unit_front_pkg::ReadsW;
 
   `PTM_ASSERT_INIT(TmusInRange_A, Tmus >= 1 && Tmus <= 3)
@@ -91,6 +92,7 @@ module ptm_unit_front #(
   logic                          miss_push, miss_fits;
   logic                t_valid, t_ready;
   ptm_unit_pkg::beat_t t_beat;
+  logic [2*TakenW-1:0]    t_taken;
   logic [Tmus*ReadsW-1:0] t_reads;
   logic                t_waits, looked;
   logic [Tmus*4-1:0]   hits, misses, duplicates;
@@ -100,27 +102,29 @@ module ptm_unit_front #(
     .Tmus(Tmus), .Sets(Sets), .Ways(Ways)
   ) u_tags (
     .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .valid_i(a_valid),
-    .ready_o(a_ready), .beat_i(a_beat), 
+    .ready_o(a_ready), .beat_i(a_beat),
     .map_texels_i(a_map_texels), .map_row_lines_i(a_map_row_lines),
     .map_column_lines_i(a_map_column_lines), .color_texels_i(a_color_texels),
     .color_row_lines_i(a_color_row_lines), .color_column_lines_i(a_color_column_lines),
     .taps_i(a_taps), .fetched_i(a_fetched), .color_i(a_color), .plane_i(a_plane),
     .miss_valid_o(miss_valid),
     .miss_line_o(miss_line), .miss_push_o(miss_push), .miss_fits_i(miss_fits), .valid_o(t_valid),
-    .ready_i(t_ready), .beat_o(t_beat), .reads_o(t_reads), .waits_for_slots_o(t_waits),
-    .looked_o(looked), .hits_o(hits), .misses_o(misses), .duplicates_o(duplicates),
-    .color_o(looked_color), .draw_o(looked_draw)
+    .ready_i(t_ready), .beat_o(t_beat), .taken_o(t_taken), .reads_o(t_reads),
+    .waits_for_slots_o(t_waits), .looked_o(looked), .hits_o(hits), .misses_o(misses),
+    .duplicates_o(duplicates), .color_o(looked_color), .draw_o(looked_draw)
   );
 
   // Fragment FIFO
   logic                q_valid, q_ready;
   ptm_unit_pkg::beat_t q_beat;
+  logic [2*TakenW-1:0]    q_taken;
   logic [Tmus*ReadsW-1:0] q_reads;
   ptm_unit_beat_fifo #(
     .Tmus(Tmus), .Depth(FragmentFifo)
   ) u_fragment_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(t_valid), .ready_o(t_ready), .beat_i(t_beat),
-    .reads_i(t_reads), .valid_o(q_valid), .ready_i(q_ready), .beat_o(q_beat), .reads_o(q_reads)
+    .taken_i(t_taken), .reads_i(t_reads), .valid_o(q_valid), .ready_i(q_ready), .beat_o(q_beat),
+    .taken_o(q_taken), .reads_o(q_reads)
   );
 
   // K
@@ -130,14 +134,15 @@ module ptm_unit_front #(
   logic [Tmus*LineWidth-1:0]                   rank_line;
   logic                k_valid, k_holds, f_ready;
   ptm_unit_pkg::beat_t k_beat;
+  logic [2*TakenW-1:0]    k_taken;
   logic [Tmus*ReadsW-1:0] k_reads;
   ptm_unit_commit #(
-    .Tmus(Tmus)
+    .Tmus(Tmus), .Rows(Rows)
   ) u_commit (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(q_valid), .ready_o(q_ready), .beat_i(q_beat),
-    .reads_i(q_reads), .rank_o(rank), .usable_i(usable), .commit_o(commit),
+    .taken_i(q_taken), .reads_i(q_reads), .rank_o(rank), .usable_i(usable), .commit_o(commit),
     .release_o(give_back), .row_o(rank_row), .valid_o(k_valid), .ready_i(f_ready),
-    .beat_o(k_beat), .reads_o(k_reads), .holds_o(k_holds)
+    .beat_o(k_beat), .taken_o(k_taken), .reads_o(k_reads), .holds_o(k_holds)
   );
 
   ptm_unit_miss_ring #(
@@ -157,8 +162,8 @@ module ptm_unit_front #(
   ) u_fetch (
     .clk_i(clk_i), .rst_ni(rst_ni), .commit_i(commit), .rank_i(rank), .row_i(rank_row),
     .line_i(rank_line), .valid_i(k_valid), .ready_o(f_ready), .beat_i(k_beat),
-    .reads_i(k_reads), .valid_o(d_valid_o), .ready_i(d_ready_i), .beat_o(d_beat_o),
-    .taps_o(d_taps_o)
+    .taken_i(k_taken), .reads_i(k_reads), .valid_o(d_valid_o), .ready_i(d_ready_i),
+    .beat_o(d_beat_o), .taps_o(d_taps_o)
   );
 
   ptm_unit_counters #(

@@ -10,7 +10,9 @@ package ptm_unit_front_pkg;
   localparam int RowBits   = 10;  // of a data bank: a line's place, {tag bank, set, way}
   localparam int LineWidth = 512;
   localparam int BankWidth = 128; // a line's four words of one texel parity
-  localparam int ReadsW    = 16 + 4 * RowBits;
+  localparam int PlaceBits = 8;   // {set, way} of a tag bank's line
+  localparam int TakenW    = 16;
+  localparam int ReadsW    = 6 + 4 * PlaceBits;
 
   // The level that a texture's footprint lies in (A1, A2)
   typedef struct packed {
@@ -39,12 +41,25 @@ package ptm_unit_front_pkg;
     logic [1:0][12:0] column;
   } column_lines_t;
 
-  // What it reads, and which of it is on the way (fragment FIFO, K, F)
+  // Which of one texture's taps a (sub-)beat fetches, and where they lie; the same for all of its
+  // words. Of a texel's place bit 2 chooses the tag bank, bit 1 the word in the data bank's row, bit
+  // 0 the data bank.
   typedef struct packed {
-    logic [3:0]              fetched;  // taps
-    logic [3:0]              missed;   // first taps whose line comes through the miss ring
-    logic [3:0][RowBits-1:0] row;      // by tap
-    logic [1:0][1:0]         i;
-    logic [1:0][1:0]         j;
+    logic [1:0] columns;  // that are fetched
+    logic [1:0] rows;
+    logic [1:0] i2;       // bit 2 of columns 0 and 1
+    logic [1:0] i1;
+    logic [1:0] i0;
+    logic [1:0] j2;       // of rows
+    logic [1:0] j1;
+    logic [1:0] j0;
+  } taken_t;
+
+  // What a TMU reads, and which of it is on the way (fragment FIFO, K, F)
+  typedef struct packed {
+    logic                      fetched;  // it has a word that is fetched
+    logic                      color;    // of the colour texture
+    logic [3:0]                missed;   // first taps whose line comes through the miss ring
+    logic [3:0][PlaceBits-1:0] place;    // by tag bank
   } reads_t;
 endpackage

@@ -18,7 +18,7 @@ module ptm_unit_tag_bank #(
   input  logic [SetBits-1:0]              set_i,
   input  logic [LineBits-1:0]             line_i,
   output logic                            hit_o,
-  output logic [1:0]                      way_o,  // of the hit, or the one to be allocated
+  output logic [ptm_unit_front_pkg::PlaceBits-1:0] place_o,  // {set, way}
   input  logic [Snoops-1:0]               snoop_i,
   input  logic [Snoops*SetBits-1:0]       snoop_set_i,
   input  logic [Snoops*LineBits-1:0]      snoop_line_i,
@@ -43,34 +43,30 @@ module ptm_unit_tag_bank #(
   assign set = set_i[SetIndexBits-1:0];
 
   // Without a look-up nothing is read, and nothing simulated
-  logic       full;
-  logic [1:0] oldest;
+  logic       hit;
+  logic [1:0] way;  // of the hit, or the one to be allocated
   always_comb begin
-    full   = update_i;
-    oldest = 2'd0;
+    hit = 1'b0;
+    way = 2'd0;
     if (update_i) begin
-      for (int w = 0; w < Ways; w++) begin
-        if (!valid_q[place(set_i, 2'(w))]) full = 1'b0;
-        if ((older_q[set][w*Ways +: Ways] | Ways'(1 << w)) == '1) oldest = 2'(w);
-      end
-    end
-  end
-  always_comb begin
-    hit_o = 1'b0;
-    way_o = 2'd0;
-    if (update_i) begin
-      for (int w = Ways - 1; w >= 0; w--) begin
-        if (!valid_q[place(set_i, 2'(w))]) way_o = 2'(w);
-      end
-      if (full) way_o = oldest;
       for (int w = 0; w < Ways; w++) begin
         if (valid_q[place(set_i, 2'(w))] && tag_q[place(set_i, 2'(w))] == line_i) begin
-          hit_o = 1'b1;
-          way_o = 2'(w);
+          hit = 1'b1;
+          way = 2'(w);
+        end
+      end
+      if (!hit) begin
+        for (int w = Ways - 1; w >= 0; w--) begin
+          if ((older_q[set][w*Ways +: Ways] | Ways'(1 << w)) == '1) way = 2'(w);
+        end
+        for (int w = Ways - 1; w >= 0; w--) begin
+          if (!valid_q[place(set_i, 2'(w))]) way = 2'(w);
         end
       end
     end
   end
+  assign hit_o   = hit;
+  assign place_o = ptm_unit_front_pkg::PlaceBits'(place(set_i, way));
   // The ways' order after this use
   logic [Ways*Ways-1:0] older_after;
   always_comb begin
@@ -79,8 +75,8 @@ module ptm_unit_tag_bank #(
       older_after = older_q[set];
       for (int w = 0; w < Ways; w++) begin
         for (int other = 0; other < Ways; other++) begin
-          if (2'(w) == way_o) older_after[w*Ways + other] = 1'b0;
-          else if (2'(other) == way_o) older_after[w*Ways + other] = 1'b1;
+          if (2'(w) == way) older_after[w*Ways + other] = 1'b0;
+          else if (2'(other) == way) older_after[w*Ways + other] = 1'b1;
         end
       end
     end
@@ -88,13 +84,13 @@ module ptm_unit_tag_bank #(
   always_ff @(posedge clk_i) begin
     if (update_i) begin
       older_q[set] <= older_after;
-      if (!hit_o) tag_q[place(set_i, way_o)] <= line_i;
+      if (!hit) tag_q[place(set_i, way)] <= line_i;
     end
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
     else if (invalidate_i) valid_q <= '0;
-    else if (update_i && !hit_o) valid_q[place(set_i, way_o)] <= 1'b1;
+    else if (update_i && !hit) valid_q[place(set_i, way)] <= 1'b1;
   end
 
   for (genvar s = 0; s < Snoops; s++) begin : gen_snoop

@@ -10,6 +10,7 @@ module ptm_unit_tags #(
   parameter int Sets = 32,  // of a bank
   parameter int Ways = 2,
   localparam int LineBits = ptm_unit_pkg::LineBits,
+  localparam int TakenW   = ptm_unit_front_pkg::TakenW,
   localparam int ReadsW   = ptm_unit_front_pkg::ReadsW
 ) (
   input  logic                clk_i,
@@ -38,6 +39,7 @@ module ptm_unit_tags #(
   output logic                   valid_o,
   input  logic                   ready_i,
   output ptm_unit_pkg::beat_t    beat_o,
+  output logic [2*TakenW-1:0]    taken_o,   // taken_t of the map, of the colour texture
   output logic [Tmus*ReadsW-1:0] reads_o,
   // Counters
   output logic              waits_for_slots_o,
@@ -48,18 +50,60 @@ module ptm_unit_tags #(
   output logic [Tmus-1:0]   color_o,       // texture of the TMU's word
   output logic [ptm_unit_pkg::DrawBits-1:0] draw_o
 );
-  localparam int SetBits = ptm_unit_front_pkg::SetBits;
-  localparam int Snoops  = Tmus == 1 ? 1 : Tmus - 1;
+  localparam int SetBits    = ptm_unit_front_pkg::SetBits;
+  localparam int PlaceBits  = ptm_unit_front_pkg::PlaceBits;
+  localparam int LookUpBits = $clog2(Tmus * 4);
+  localparam int Snoops     = Tmus == 1 ? 1 : Tmus - 1;
 
-  logic                t_valid, t_load, leaves;
-  ptm_unit_pkg::beat_t beat_q;
+  // What the words of either texture look up
+  ptm_unit_front_pkg::taken_t map_taken, color_taken;
+  logic [3:0]            map_first, color_first, map_used, color_used;
+  logic [4*SetBits-1:0]  map_hash, color_hash, map_low, color_low;
+  logic [2*LineBits-1:0] map_row, color_row, map_column, color_column;
+  ptm_unit_lookup #(
+    .Sets(Sets), .Color(0)
+  ) u_lookup_map (
+    .enable_i((fetched_i & ~color_i) != '0), .texels_i(map_texels_i),
+    .row_lines_i(map_row_lines_i), .column_lines_i(map_column_lines_i), .taps_i(taps_i),
+    .taken_o(map_taken), .first_o(map_first), .used_o(map_used), .hash_o(map_hash),
+    .low_o(map_low), .row_o(map_row), .column_o(map_column)
+  );
+  ptm_unit_lookup #(
+    .Sets(Sets), .Color(1)
+  ) u_lookup_color (
+    .enable_i((fetched_i & color_i) != '0), .texels_i(color_texels_i),
+    .row_lines_i(color_row_lines_i), .column_lines_i(color_column_lines_i), .taps_i(taps_i),
+    .taken_o(color_taken), .first_o(color_first), .used_o(color_used), .hash_o(color_hash),
+    .low_o(color_low), .row_o(color_row), .column_o(color_column)
+  );
+
+  // T
+  logic                       t_valid, t_load, leaves;
+  ptm_unit_pkg::beat_t        beat_q;
+  ptm_unit_front_pkg::taken_t map_taken_q, color_taken_q;
+  logic [3:0]                 map_first_q, color_first_q, map_used_q, color_used_q;
+  logic [Tmus-1:0]            fetched_q, color_q;
   ptm_stream_reg u_t (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .load_o(t_load),
     .valid_o(t_valid), .ready_i(leaves)
   );
-  always_ff @(posedge clk_i) if (t_load) beat_q <= beat_i;
-  assign beat_o = beat_q;
-  assign draw_o = beat_q.draw;
+  always_ff @(posedge clk_i) begin
+    if (t_load) begin
+      beat_q        <= beat_i;
+      map_taken_q   <= map_taken;
+      color_taken_q <= color_taken;
+      map_first_q   <= map_first;
+      color_first_q <= color_first;
+      map_used_q    <= map_used;
+      color_used_q  <= color_used;
+      fetched_q     <= fetched_i;
+      color_q       <= color_i;
+    end
+  end
+  assign beat_o  = beat_q;
+  assign draw_o  = beat_q.draw;
+  assign color_o = color_q;
+  assign taken_o = {color_taken_q, map_taken_q};
 
   logic first_q;  // the first cycle of the beat
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -68,50 +112,76 @@ module ptm_unit_tags #(
   end
   assign looked_o = first_q;
 
-  logic [Tmus-1:0]            more;
-  logic [Tmus*4*LineBits-1:0] line;  // looked up, by TMU, then bank
-  logic [Tmus*4*SetBits-1:0]  set_index;
-  logic [Tmus*Tmus*4-1:0]     held;  // [holder][misser][bank]
+  logic [SetBits-1:0]     set [Tmus*4];   // looked up, by TMU, then bank
+  logic [LineBits-1:0]    line [Tmus*4];
+  logic [Tmus-1:0]        more;
+  logic [Tmus*4-1:0]      hit;
+  logic [Tmus*Tmus*4-1:0] held;  // [holder][misser][bank]
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
-    // The other TMUs, in order; a single one has nobody to ask for
-    logic [Snoops*4-1:0]          snoop, snoop_held;
-    logic [Snoops*4*LineBits-1:0] snoop_line;
-    logic [Snoops*4*SetBits-1:0]  snoop_set;
-    for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
-      localparam int Other = Tmus == 1 ? 0 : s < t ? s : s + 1;
-      // In the many cycles without a miss nothing moves, and nothing is simulated.
-      always_comb begin
-        snoop[s*4 +: 4]                        = 4'd0;
-        snoop_line[s*4*LineBits +: 4*LineBits] = '0;
-        snoop_set[s*4*SetBits +: 4*SetBits]    = '0;
-        if (Tmus > 1 && first_q && misses_o[Other*4 +: 4] != 4'd0) begin
-          snoop[s*4 +: 4]                        = misses_o[Other*4 +: 4];
-          snoop_line[s*4*LineBits +: 4*LineBits] = line[Other*4*LineBits +: 4*LineBits];
-          snoop_set[s*4*SetBits +: 4*SetBits]    = set_index[Other*4*SetBits +: 4*SetBits];
+    // A word's look-ups are its texture's, moved by its plane
+    logic [2:0]            plane;
+    logic [4*SetBits-1:0]  hash, low;
+    logic [2*LineBits-1:0] row, column;
+    assign plane  = plane_i[t*3 +: 3];
+    assign hash   = color_i[t] ? color_hash : map_hash;
+    assign low    = color_i[t] ? color_low : map_low;
+    assign row    = color_i[t] ? color_row : map_row;
+    assign column = color_i[t] ? color_column : map_column;
+
+    logic [3:0] used, first;
+    assign used  = !fetched_q[t] ? 4'd0 : color_q[t] ? color_used_q : map_used_q;
+    assign first = !fetched_q[t] ? 4'd0 : color_q[t] ? color_first_q : map_first_q;
+
+    logic [4*PlaceBits-1:0] place;
+    for (genvar b = 0; b < 4; b++) begin : gen_bank
+      localparam int At = t * 4 + b;
+      logic [SetBits-1:0]  hashed, set_q;
+      logic [LineBits-1:0] line_q;
+      assign hashed = hash[b*SetBits +: SetBits] + SetBits'(plane);
+      always_ff @(posedge clk_i) begin
+        if (t_load) begin
+          set_q  <= (low[b*SetBits +: SetBits] ^ hashed) & SetBits'(Sets - 1);
+          line_q <= row[(b/2)*LineBits +: LineBits] + column[(b%2)*LineBits +: LineBits] +
+                    LineBits'(plane);
         end
       end
-      assign held[(t*Tmus + Other)*4 +: 4]          = snoop_held[s*4 +: 4];
+      assign set[At]  = set_q;
+      assign line[At] = line_q;
+      // The other TMUs, in order; a single one has nobody to ask for
+      logic [Snoops-1:0]          snoop, snoop_held;
+      logic [Snoops*LineBits-1:0] snoop_line;
+      logic [Snoops*SetBits-1:0]  snoop_set;
+      for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
+        localparam int Other = Tmus == 1 ? 0 : s < t ? s : s + 1;
+        assign snoop[s]                           = Tmus > 1 && first_q && misses_o[Other*4 + b];
+        assign snoop_line[s*LineBits +: LineBits] = line[Other*4 + b];
+        assign snoop_set[s*SetBits +: SetBits]    = set[Other*4 + b];
+        assign held[(t*Tmus + Other)*4 + b]       = snoop_held[s];
+      end
+      if (Tmus > 1) begin : gen_self
+        assign held[(t*Tmus + t)*4 + b] = 1'b0;
+      end
+      ptm_unit_tag_bank #(
+        .Sets(Sets), .Ways(Ways), .Snoops(Snoops)
+      ) u_bank (
+        .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i),
+        .update_i(first_q && used[b]), .set_i(set_q), .line_i(line_q), .hit_o(hit[At]),
+        .place_o(place[b*PlaceBits +: PlaceBits]), .snoop_i(snoop), .snoop_set_i(snoop_set),
+        .snoop_line_i(snoop_line), .snoop_held_o(snoop_held)
+      );
     end
-    if (Tmus > 1) begin : gen_self
-      assign held[(t*Tmus + t)*4 +: 4] = 4'd0;
-    end
-    ptm_unit_tmu_tags #(
-      .Sets(Sets), .Ways(Ways), .Snoops(Snoops)
-    ) u_tmu (
-      .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .load_i(t_load),
-      .texels_i(color_i[t] ? color_texels_i : map_texels_i),
-      .row_lines_i(color_i[t] ? color_row_lines_i : map_row_lines_i),
-      .column_lines_i(color_i[t] ? color_column_lines_i : map_column_lines_i),
-      .color_i(color_i[t]), .fetched_i(fetched_i[t]), .plane_i(plane_i[t*3 +: 3]),
-      .taps_i(taps_i), .valid_i(t_valid), .first_i(first_q), .push_i(miss_push_o),
-      .miss_valid_o(miss_valid_o[t]),
-      .miss_line_o(miss_line_o[t*LineBits +: LineBits]), .more_o(more[t]),
-      .reads_o(reads_o[t*ReadsW +: ReadsW]), .hits_o(hits_o[t*4 +: 4]),
-      .misses_o(misses_o[t*4 +: 4]), .color_o(color_o[t]),
-      .line_o(line[t*4*LineBits +: 4*LineBits]), .set_o(set_index[t*4*SetBits +: 4*SetBits]),
-      .snoop_i(snoop), .snoop_line_i(snoop_line), .snoop_set_i(snoop_set),
-      .snoop_held_o(snoop_held)
+    assign hits_o[t*4 +: 4]   = used & hit[t*4 +: 4];
+    assign misses_o[t*4 +: 4] = used & ~hit[t*4 +: 4];
+
+    logic [1:0] miss_bank;
+    ptm_unit_tmu_tags u_tmu (
+      .clk_i(clk_i), .valid_i(t_valid), .first_i(first_q), .push_i(miss_push_o),
+      .fetched_i(fetched_q[t]), .color_i(color_q[t]),
+      .taken_i(color_q[t] ? color_taken_q : map_taken_q), .first_taps_i(first),
+      .misses_i(misses_o[t*4 +: 4]), .place_i(place), .miss_valid_o(miss_valid_o[t]),
+      .miss_bank_o(miss_bank), .more_o(more[t]), .reads_o(reads_o[t*ReadsW +: ReadsW])
     );
+    assign miss_line_o[t*LineBits +: LineBits] = line[LookUpBits'(t*4) + LookUpBits'(miss_bank)];
   end
 
   always_comb begin

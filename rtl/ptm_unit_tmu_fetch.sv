@@ -17,44 +17,41 @@ module ptm_unit_tmu_fetch #(
   // F takes over a beat; D does
   input  logic                       f_load_i,
   input  ptm_unit_front_pkg::reads_t reads_i,
+  output logic                       f_color_o,   // its word in F is of the colour texture
+  input  logic [3:0]                 here_i,      // that texture's: ptm_unit_taps
+  input  logic [7:0]                 tag_bank_i,
   input  logic                       d_load_i,
+  output logic                       d_color_o,   // likewise in D
+  input  logic [3:0]                 fetched_i,
+  input  logic [7:0]                 word_i,
+  input  logic [7:0]                 bank_i,
   output ptm_unit_pkg::taps_t        taps_o
 );
   localparam int PlaceBits = $clog2(Rows);
+  localparam int LineBits  = PlaceBits - 2;  // of a line's place within its tag bank
 
   ptm_unit_front_pkg::reads_t reads_q;
-  always_ff @(posedge clk_i) if (f_load_i) reads_q <= reads_i;
-
-  // Of each tap: its data bank, and its word in that bank's row
-  logic [7:0] bank, word, bank_q;
-  for (genvar tap = 0; tap < 4; tap++) begin : gen_tap
-    logic [1:0] i, j;
-    assign i                = reads_q.i[tap%2];
-    assign j                = reads_q.j[tap/2];
-    assign bank[tap*2 +: 2] = {j[0], i[0]};
-    assign word[tap*2 +: 2] = {j[1], i[1]};
-  end
-  logic [3:0] fetched_q;
+  logic                       d_fetched_q, d_color_q;
   always_ff @(posedge clk_i) begin
+    if (f_load_i) reads_q <= reads_i;
     if (d_load_i) begin
-      fetched_q <= reads_q.fetched;
-      bank_q    <= bank;
+      d_fetched_q <= reads_q.fetched;
+      d_color_q   <= reads_q.color;
     end
   end
+  assign f_color_o = reads_q.color;
+  assign d_color_o = d_color_q;
 
-  logic [127:0] bank_words;  // of each bank, the word that its taps want
+  logic read;
+  assign read = d_load_i && reads_q.fetched;
+  logic [31:0] bank_word [4];  // of each bank, the word that its taps want
   for (genvar b = 0; b < 4; b++) begin : gen_bank
-    // Taps of one bank are the same texel
-    logic [3:0] here;
-    for (genvar tap = 0; tap < 4; tap++) begin : gen_here
-      assign here[tap] = reads_q.fetched[tap] && bank[tap*2 +: 2] == 2'(b);
-    end
-    logic [1:0]         tap;
-    logic [RowBits-1:0] row;
-    assign tap = here[0] ? 2'd0 : here[1] ? 2'd1 : here[2] ? 2'd2 : 2'd3;
-    assign row = reads_q.row[tap];
+    logic [1:0]           tag_bank;
+    logic [PlaceBits-1:0] row;
+    assign tag_bank = tag_bank_i[b*2 +: 2];
+    assign row      = {tag_bank, LineBits'(reads_q.place[tag_bank])};
     // Words of the line with the bank's parities, in the order {j[1], i[1]}
-    logic [BankWidth-1:0] words, read;
+    logic [BankWidth-1:0] words, read_words;
     for (genvar w = 0; w < 4; w++) begin : gen_word
       localparam int Word = ((w / 2) * 2 + b / 2) * 4 + (w % 2) * 2 + b % 2;
       assign words[w*32 +: 32] = line_i[Word*32 +: 32];
@@ -63,21 +60,16 @@ module ptm_unit_tmu_fetch #(
       .Rows(Rows)
     ) u_bank (
       .clk_i(clk_i), .write_i(write_i), .write_row_i(write_row_i[PlaceBits-1:0]),
-      .write_data_i(words), .read_i(d_load_i && here != 4'd0), .read_row_i(row[PlaceBits-1:0]),
-      .read_data_o(read)
+      .write_data_i(words), .read_i(read && here_i[b]), .read_row_i(row),
+      .read_data_o(read_words)
     );
-    logic [1:0] word_q;
-    always_ff @(posedge clk_i) if (d_load_i) word_q <= word[tap*2 +: 2];
-    assign bank_words[b*32 +: 32] = read[word_q*32 +: 32];
+    assign bank_word[b] = read_words[word_i[b*2 +: 2]*32 +: 32];
   end
 
-  logic [127:0] tap_words;
-  for (genvar tap = 0; tap < 4; tap++) begin : gen_word
-    assign tap_words[tap*32 +: 32] = bank_words[bank_q[tap*2 +: 2]*32 +: 32];
-  end
   always_comb begin
     taps_o         = '0;
-    taps_o.fetched = fetched_q;
-    taps_o.word    = tap_words;
+    taps_o.fetched = d_fetched_q ? fetched_i : 4'd0;
+    taps_o.word    = {bank_word[bank_i[7:6]], bank_word[bank_i[5:4]], bank_word[bank_i[3:2]],
+                      bank_word[bank_i[1:0]]};
   end
 endmodule

@@ -1,145 +1,70 @@
-// One TMU's part of T: its word's look-ups in the four tag banks, and what of them is still to be
-// pushed to the miss ring. Used by ptm_unit_tags, which decides when a rank moves.
+// One TMU's part of T: what of its word's misses is still to be pushed to the miss ring, and what
+// it will read. Used by ptm_unit_tags, which looks up and decides when a rank moves.
 //
 // The outcome of the first cycle is kept while the beat stays. docs/spec/unit-timing.md, Tags.
 module ptm_unit_tmu_tags #(
-  parameter int Sets   = 32,  // of a bank
-  parameter int Ways   = 2,
-  parameter int Snoops = 2,   // other TMUs, at least 1 port
-  localparam int LineBits = ptm_unit_pkg::LineBits,
-  localparam int SetBits  = ptm_unit_front_pkg::SetBits,
-  localparam int RowBits  = ptm_unit_front_pkg::RowBits
+  localparam int PlaceBits = ptm_unit_front_pkg::PlaceBits
 ) (
   input  logic                        clk_i,
-  input  logic                        rst_ni,
-  input  logic                        invalidate_i,
-  input  logic                        load_i,   // T takes over a beat, with this word:
-  input  ptm_unit_front_pkg::texels_t       texels_i,
-  input  ptm_unit_front_pkg::row_lines_t    row_lines_i,
-  input  ptm_unit_front_pkg::column_lines_t column_lines_i,
-  input  logic                        color_i,
-  input  logic                        fetched_i,
-  input  logic [2:0]                  plane_i,
-  input  logic [3:0]                  taps_i,
-  input  logic                        valid_i,  // T holds a beat
-  input  logic                        first_i,  // in its first cycle: look up
-  input  logic                        push_i,   // this rank is pushed
+  // The beat in T
+  input  logic                        valid_i,
+  input  logic                        first_i,       // its first cycle: look-ups have meaning
+  input  logic                        push_i,        // this rank is pushed
+  input  logic                        fetched_i,     // this TMU has a word that is fetched
+  input  logic                        color_i,       // of the colour texture
+  input  ptm_unit_front_pkg::taken_t  taken_i,
+  input  logic [3:0]                  first_taps_i,  // that need their tile first
+  // Look-ups, by bank
+  input  logic [3:0]                  misses_i,
+  input  logic [4*PlaceBits-1:0]      place_i,
   // This rank
   output logic                        miss_valid_o,
-  output logic [LineBits-1:0]         miss_line_o,
-  output logic                        more_o,   // the beat has misses beyond this rank
-  output ptm_unit_front_pkg::reads_t  reads_o,
-  // Of the look-up, by bank; of a meaning only in the first cycle
-  output logic [3:0]                  hits_o,
-  output logic [3:0]                  misses_o,
-  output logic                        color_o,
-  output logic [4*LineBits-1:0]       line_o,
-  output logic [4*SetBits-1:0]        set_o,
-  // Other TMUs' misses of the same cycle: does this cache hold them? By TMU, then bank
-  input  logic [Snoops*4-1:0]          snoop_i,
-  input  logic [Snoops*4*LineBits-1:0] snoop_line_i,
-  input  logic [Snoops*4*SetBits-1:0]  snoop_set_i,
-  output logic [Snoops*4-1:0]          snoop_held_o
+  output logic [1:0]                  miss_bank_o,
+  output logic                        more_o,        // the beat has misses beyond this rank
+  output ptm_unit_front_pkg::reads_t  reads_o
 );
-  localparam int WayBits = $clog2(Ways);
-  localparam int SetIndexBits = $clog2(Sets);
-
-  logic [3:0]            fetched, fetched_q, first, first_q;  // by tap
-  logic [7:0]            tap_bank, tap_bank_q;
-  logic [3:0]            used, used_q;                        // by bank
-  logic [4*LineBits-1:0] line, line_q;
-  logic [4*SetBits-1:0]  set_index, set_index_q;
-  logic [3:0]            i_q, j_q;                            // within the tiles
-  logic                  color_q;
-  ptm_unit_lookup #(
-    .Sets(Sets)
-  ) u_lookup (
-    .texels_i(texels_i), .row_lines_i(row_lines_i), .column_lines_i(column_lines_i),
-    .color_i(color_i), .fetched_i(fetched_i), .plane_i(plane_i), .taps_i(taps_i),
-    .fetched_o(fetched), .first_o(first), .bank_o(tap_bank), .used_o(used), .line_o(line),
-    .set_o(set_index)
-  );
-  always_ff @(posedge clk_i) begin
-    if (load_i) begin
-      fetched_q   <= fetched;
-      first_q     <= first;
-      tap_bank_q  <= tap_bank;
-      used_q      <= used;
-      line_q      <= line;
-      set_index_q <= set_index;
-      i_q         <= {texels_i.i[1][1:0], texels_i.i[0][1:0]};
-      j_q         <= {texels_i.j[1][1:0], texels_i.j[0][1:0]};
-      color_q     <= color_i;
-    end
-  end
-
-  logic [3:0] hit;
-  logic [7:0] way_now, way_q, way;  // by bank
-  for (genvar b = 0; b < 4; b++) begin : gen_bank
-    logic [Snoops-1:0]          snoop, held;
-    logic [Snoops*LineBits-1:0] snoop_line;
-    logic [Snoops*SetBits-1:0]  snoop_set;
-    for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
-      localparam int From = s * 4 + b;
-      assign snoop[s]                           = snoop_i[From];
-      assign snoop_line[s*LineBits +: LineBits] = snoop_line_i[From*LineBits +: LineBits];
-      assign snoop_set[s*SetBits +: SetBits]    = snoop_set_i[From*SetBits +: SetBits];
-      assign snoop_held_o[From]                 = held[s];
-    end
-    ptm_unit_tag_bank #(
-      .Sets(Sets), .Ways(Ways), .Snoops(Snoops)
-    ) u_bank (
-      .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i),
-      .update_i(first_i && used_q[b]), .set_i(set_index_q[b*SetBits +: SetBits]),
-      .line_i(line_q[b*LineBits +: LineBits]), .hit_o(hit[b]), .way_o(way_now[b*2 +: 2]),
-      .snoop_i(snoop),
-      .snoop_set_i(snoop_set), .snoop_line_i(snoop_line), .snoop_held_o(held)
-    );
-  end
-  assign hits_o   = used_q & hit;
-  assign misses_o = used_q & ~hit;
-  assign color_o  = color_q;
-  assign line_o   = line_q;
-  assign set_o    = set_index_q;
+  logic [1:0] column_bank, row_bank;  // halves of a tap's tag bank
+  assign column_bank = taken_i.i2;
+  assign row_bank    = taken_i.j2;
 
   // Misses by tap: all of the beat's, and those still to be pushed
-  logic [3:0] missed_now, missed_q, left, left_q, left_after;
-  for (genvar tap = 0; tap < 4; tap++) begin : gen_tap
-    assign missed_now[tap] = first_q[tap] && !hit[tap_bank_q[tap*2 +: 2]];
+  logic [3:0]             missed_now, missed_q, left, left_q, left_after;
+  logic [4*PlaceBits-1:0] place_q;
+  always_comb begin
+    missed_now = 4'd0;
+    if (misses_i != 4'd0) begin
+      for (int tap = 0; tap < 4; tap++) begin
+        missed_now[tap] = first_taps_i[tap] && misses_i[{row_bank[tap/2], column_bank[tap%2]}];
+      end
+    end
   end
   assign left       = first_i ? missed_now : left_q;
   assign left_after = left & (left - 4'd1);
-  assign way        = first_i ? way_now : way_q;
   always_ff @(posedge clk_i) begin
     if (first_i) begin
       missed_q <= missed_now;
-      way_q    <= way_now;
+      place_q  <= place_i;
     end
     left_q <= push_i ? left_after : left;
   end
 
-  logic [1:0] tap_now, bank_now;
-  assign tap_now      = left[0] ? 2'd0 : left[1] ? 2'd1 : left[2] ? 2'd2 : 2'd3;
+  logic [1:0] tap_now;
   assign miss_valid_o = valid_i && left != 4'd0;
-  assign bank_now     = tap_bank_q[tap_now*2 +: 2];
-  assign miss_line_o  = line_q[bank_now*LineBits +: LineBits];
   assign more_o       = left_after != 4'd0;
-
-  // Rows of the data banks: {bank, set, way}
-  logic [4*RowBits-1:0] row;
-  for (genvar tap = 0; tap < 4; tap++) begin : gen_row
-    logic [1:0] bank;
-    assign bank = tap_bank_q[tap*2 +: 2];
-    assign row[tap*RowBits +: RowBits] =
-        (RowBits'(bank) << (SetIndexBits + WayBits)) |
-        (RowBits'(set_index_q[bank*SetBits +: SetBits]) << WayBits) | RowBits'(way[bank*2 +: 2]);
+  always_comb begin
+    tap_now     = 2'd0;
+    miss_bank_o = 2'd0;
+    if (left != 4'd0) begin
+      tap_now     = left[0] ? 2'd0 : left[1] ? 2'd1 : left[2] ? 2'd2 : 2'd3;
+      miss_bank_o = {row_bank[tap_now[1]], column_bank[tap_now[0]]};
+    end
   end
+
   always_comb begin
     reads_o         = '0;
-    reads_o.fetched = fetched_q;
+    reads_o.fetched = fetched_i;
+    reads_o.color   = color_i;
     reads_o.missed  = first_i ? missed_now : missed_q;
-    reads_o.row     = row;
-    reads_o.i       = i_q;
-    reads_o.j       = j_q;
+    reads_o.place   = first_i ? place_i : place_q;
   end
 endmodule

@@ -19,6 +19,7 @@ rtl/ptm_unit_beat_fifo.sv
 rtl/ptm_unit_tmu_commit.sv
 rtl/ptm_unit_commit.sv
 rtl/ptm_unit_data_bank.sv
+rtl/ptm_unit_taps.sv
 rtl/ptm_unit_tmu_fetch.sv
 rtl/ptm_unit_fetch.sv
 rtl/ptm_unit_counters.sv
