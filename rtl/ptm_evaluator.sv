@@ -26,6 +26,9 @@ module ptm_evaluator #(
   parameter int ShiftMin     = -4,  // -8..0
   parameter int ShiftGroups  = 6,   // 3, 6
   parameter int FilterFrac   = 0,   // 0..4
+  // 1: an RGB map's three passes leave as one pixel; 0: every pass leaves as it comes, its channel's
+  // value in all three places (evaluators side by side, one a channel)
+  parameter int Assemble     = 1,
   // What travels with the operands, untouched: a pixel's id
   parameter int SidebandBits = 32,  // 1 or more
   localparam int StoredW = ptm_pkg::stored_bits(CoefBits, FilterFrac),
@@ -289,16 +292,26 @@ module ptm_evaluator #(
   logic [3*LumW-1:0] pixel_lum;
   logic [23:0]       pixel_rgb;
   logic [1:0]        pixel_flags;  // lum_saturated, color_saturated
-  ptm_rgb_assemble #(
-    .LumW(LumW)
-  ) u_rgb_assemble (
-    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(r7_valid), .ready_o(r7_ready),
-    .rgb_map_i(r7_tag_q.rgb_map), .channel_i(r7_tag_q.channel), .lum_i(r7_lum_q),
-    .lum_saturated_i(r7_lum_saturated_q), .rgb_i(r7_rgb_q),
-    .color_saturated_i(r7_color_saturated_q), .valid_o(pixel_valid), .ready_i(pixel_ready),
-    .lum_o(pixel_lum), .lum_saturated_o(pixel_flags[1]), .rgb_o(pixel_rgb),
-    .color_saturated_o(pixel_flags[0])
-  );
+  if (Assemble != 0) begin : gen_assemble
+    ptm_rgb_assemble #(
+      .LumW(LumW)
+    ) u_rgb_assemble (
+      .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(r7_valid), .ready_o(r7_ready),
+      .rgb_map_i(r7_tag_q.rgb_map), .channel_i(r7_tag_q.channel), .lum_i(r7_lum_q),
+      .lum_saturated_i(r7_lum_saturated_q), .rgb_i(r7_rgb_q),
+      .color_saturated_i(r7_color_saturated_q), .valid_o(pixel_valid), .ready_i(pixel_ready),
+      .lum_o(pixel_lum), .lum_saturated_o(pixel_flags[1]), .rgb_o(pixel_rgb),
+      .color_saturated_o(pixel_flags[0])
+    );
+  end else begin : gen_passes
+    assign pixel_valid = r7_valid;
+    assign r7_ready    = pixel_ready;
+    assign pixel_lum   = {3{r7_lum_q}};
+    assign pixel_rgb   = r7_rgb_q;
+    assign pixel_flags = {r7_lum_saturated_q, r7_color_saturated_q};
+    logic unused;
+    assign unused = ^{r7_tag_q.rgb_map, r7_tag_q.channel};
+  end
 
   // FIFO: the head is the output
   logic load_head, load_tail, advance;

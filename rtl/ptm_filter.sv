@@ -16,6 +16,7 @@ module ptm_filter #(
   parameter int Tmus             = 3,
   parameter int PaletteLrgbPorts = 4,
   parameter int PaletteRgbPorts  = 1,
+  parameter int EvalLanes        = 1,  // passes that O sends a cycle; 1, 3
   localparam int FieldW = ptm_pkg::larger(8, CoefBits),  // in memory
   localparam int ValueW = FieldW + FilterFrac,           // on the way
   localparam int StoredW = ptm_pkg::stored_bits(CoefBits, FilterFrac),
@@ -40,7 +41,7 @@ module ptm_filter #(
   output logic                                    valid_o,
   input  logic                                    ready_i,
   output logic                                    last_pass_o,
-  output logic [6*StoredW-1:0]                    coef_o,
+  output logic [EvalLanes*6*StoredW-1:0]          coef_o,       // lane 0 lowest
   output logic [6*CoefBits-1:0]                   bias_o,
   output logic [6*ptm_pkg::ShiftBits-1:0]         shift_o,
   output logic [3*RgbW-1:0]                       rgb_o,
@@ -284,7 +285,8 @@ module ptm_filter #(
   );
   /* verilator lint_on PINCONNECTEMPTY */
   ptm_filter_fields #(
-    .CoefBits(CoefBits), .RoundNearest(RoundNearest), .FilterFrac(FilterFrac), .Tmus(Tmus)
+    .CoefBits(CoefBits), .RoundNearest(RoundNearest), .FilterFrac(FilterFrac), .Tmus(Tmus),
+    .EvalLanes(EvalLanes)
   ) u_fields (
     .clk_i(clk_i), .load_l3_i(load_l3), .l2_i(l2), .l2_format_i(l2_step_q.format),
     .l2_group_i(l2_step_q.group), .l2_second_i(l2_step_q.second), .l2_map_f_i(l2_step_q.map_f),
@@ -294,7 +296,7 @@ module ptm_filter #(
     .coef_o(coef_o), .rgb_o(rgb_o), .map_alpha_o(map_alpha_o), .color_o(color_o)
   );
 
-  // O: one pass a cycle
+  // O: one pass a cycle, or with three lanes all of them
   logic            o_none;
   logic [6*12-1:0] o_bias;
   logic [6*ptm_pkg::ShiftBits-1:0] o_shift;
@@ -302,7 +304,7 @@ module ptm_filter #(
   assign rgb_map_o   = o_step_q.format == ptm_unit_pkg::FormatRgb ||
                        o_step_q.format == ptm_unit_pkg::FormatPaletteRgb;
   assign valid_o     = o_valid;
-  assign last_pass_o = !rgb_map_o || pass_q == 2'd2;
+  assign last_pass_o = !rgb_map_o || EvalLanes == 3 || pass_q == 2'd2;
   assign o_done      = ready_i && last_pass_o;
   assign channel_o   = pass_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin

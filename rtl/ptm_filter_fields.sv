@@ -12,6 +12,7 @@ module ptm_filter_fields #(
   parameter int RoundNearest = 1,
   parameter int FilterFrac   = 0,
   parameter int Tmus         = 3,
+  parameter int EvalLanes    = 1,  // passes a cycle; 1, 3
   localparam int ValueW  = ptm_pkg::larger(8, CoefBits) + FilterFrac,
   localparam int StoredW = ptm_pkg::stored_bits(CoefBits, FilterFrac),
   localparam int RgbW    = ptm_pkg::rgb_bits(FilterFrac),
@@ -37,7 +38,7 @@ module ptm_filter_fields #(
   // The fragment that enters O, and the one in O
   input  logic                    load_o_i,
   input  logic [1:0]              pass_i,
-  output logic [6*StoredW-1:0]    coef_o,
+  output logic [EvalLanes*6*StoredW-1:0] coef_o,  // lane 0 lowest
   output logic [3*RgbW-1:0]       rgb_o,
   output logic [7:0]              map_alpha_o,
   output logic [31:0]             color_o        // R G B A, R lowest
@@ -138,11 +139,19 @@ module ptm_filter_fields #(
   end
   assign l2_color = l2_colors != '0;
 
-  // O: the operands of a pass
+  // O: the operands of a pass, or of all three
   for (genvar i = 0; i < 6; i++) begin : gen_operand
-    assign coef_o[StoredW*i +: StoredW] = pass_i == 2'd0 ? field[i][StoredW-1:0] :
-                                          pass_i == 2'd1 ? field[6+i][StoredW-1:0] :
-                                                           field[12+i][StoredW-1:0];
+    if (EvalLanes == 1) begin : gen_in_turn
+      assign coef_o[StoredW*i +: StoredW] = pass_i == 2'd0 ? field[i][StoredW-1:0] :
+                                            pass_i == 2'd1 ? field[6+i][StoredW-1:0] :
+                                                             field[12+i][StoredW-1:0];
+    end else begin : gen_at_once
+      for (genvar e = 0; e < EvalLanes; e++) begin : gen_lane
+        assign coef_o[StoredW*(6*e+i) +: StoredW] = field[6*e+i][StoredW-1:0];
+      end
+      logic unused;
+      assign unused = ^pass_i;
+    end
   end
   assign rgb_o = {field[20][RgbW-1:0], field[19][RgbW-1:0], field[18][RgbW-1:0]};
 

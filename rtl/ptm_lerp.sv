@@ -13,28 +13,18 @@ module ptm_lerp #(
   input  logic [ptm_pkg::LerpFracBits-1:0] f_i,  // Q0.8
   output logic [Width-1:0]                 y_o
 );
-  // The difference has a sign; the weight gets one that stays 0.
-  localparam int ProductW = Width + 1 + ptm_pkg::LerpFracBits + 1;
+  // y = floor((a * 2^8 + (b - a) * f + half) / 2^8). It is in range, so all of it may be computed
+  // modulo 2^(Width + 8), where the difference needs no sign.
+  localparam int SumW = Width + ptm_pkg::LerpFracBits;
+  localparam logic [ptm_pkg::LerpFracBits-1:0] Half =
+      RoundNearest != 0 ? {1'b1, {(ptm_pkg::LerpFracBits-1){1'b0}}} : '0;
 
-  logic signed [Width:0] difference, step;
-  logic signed [ProductW-1:0] product;
-  assign difference = {1'b0, b_i} - {1'b0, a_i};
-  assign product    = ProductW'(difference) * ProductW'(signed'({1'b0, f_i}));
+  logic [SumW-1:0] difference, product, sum;
+  assign difference = SumW'(b_i) - SumW'(a_i);
+  assign product    = difference * SumW'(f_i);
+  assign sum        = {a_i, Half} + product;
+  assign y_o        = sum[SumW-1:ptm_pkg::LerpFracBits];
 
-  ptm_narrow #(
-    .InBits      (ProductW),
-    .AmountBits  (4),
-    .OutBits     (Width + 1),
-    .RoundNearest(RoundNearest)
-  ) u_narrow (
-    .x_i     (product),
-    .amount_i(4'(ptm_pkg::LerpFracBits)),
-    .y_o     (step)
-  );
-
-  // Modulo 2^Width: the sum is in range.
-  assign y_o = a_i + step[Width-1:0];
-
-  logic unused_sign;
-  assign unused_sign = step[Width];
+  logic unused_fraction;
+  assign unused_fraction = ^sum[ptm_pkg::LerpFracBits-1:0];
 endmodule

@@ -1,4 +1,4 @@
-// Drops k fraction bits; the one place where the datapath rounds.
+// Drops k fraction bits; the one place where the datapath rounds, but for ptm_lerp's own.
 //
 //   nearest   y = floor(x / 2^k + 1/2), ties toward plus infinity     docs/spec/datapath.md, narrow
 //   truncate  y = floor(x / 2^k)

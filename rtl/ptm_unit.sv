@@ -31,7 +31,8 @@ module ptm_unit #(
   parameter int FragmentFifo     = 192,  // beats; 4..1024
   parameter int MissFifo         = 64,   // lines; 4 * Tmus..256
   parameter int PaletteLrgbPorts = 4,    // look-ups a cycle; 1, 2, 4
-  parameter int PaletteRgbPorts  = 1     // 1, 2, 4
+  parameter int PaletteRgbPorts  = 1,    // 1, 2, 4
+  parameter int EvalLanes        = 1     // evaluators side by side; 1, 3
 ) (
   input  logic         clk_i,
   input  logic         rst_ni,
@@ -141,7 +142,8 @@ module ptm_unit #(
     .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
     .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
     .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts)
+    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
+    .EvalLanes(EvalLanes)
   ) u_back (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .pal_lrgb_we_i(pal_lrgb_we),
     .pal_lrgb_addr_i(pal_lrgb_addr), .pal_rgb_we_i(pal_rgb_we), .pal_rgb_addr_i(pal_rgb_addr),

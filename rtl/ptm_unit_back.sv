@@ -25,7 +25,8 @@ module ptm_unit_back #(
   // UnitConfig
   parameter int Tmus             = 3,  // 1..3
   parameter int PaletteLrgbPorts = 4,  // 1, 2, 4
-  parameter int PaletteRgbPorts  = 1   // 1, 2, 4
+  parameter int PaletteRgbPorts  = 1,  // 1, 2, 4
+  parameter int EvalLanes        = 1   // evaluators side by side; 1, or 3: one a channel
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -65,10 +66,11 @@ module ptm_unit_back #(
 
   `PTM_ASSERT_INIT(CoefBitsFitThreeToAWord_A, CoefBits <= 10)
   `PTM_ASSERT_INIT(TmusInRange_A, Tmus >= 1 && Tmus <= 3)
+  `PTM_ASSERT_INIT(EvalLanesInRange_A, EvalLanes == 1 || EvalLanes == 3)
 
   // D to O
   logic                            load_p, o_valid, o_ready, o_last_pass, o_rgb_map;
-  logic [6*StoredW-1:0]            o_coef;
+  logic [EvalLanes*6*StoredW-1:0]  o_coef;
   logic [6*CoefBits-1:0]           o_bias;
   logic [6*ptm_pkg::ShiftBits-1:0] o_shift;
   logic [3*RgbW-1:0]               o_rgb;
@@ -81,7 +83,8 @@ module ptm_unit_back #(
   logic [2:0]                      d_palette_taps;
   ptm_filter #(
     .CoefBits(CoefBits), .RoundNearest(RoundNearest), .FilterFrac(FilterFrac), .Tmus(Tmus),
-    .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts)
+    .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
+    .EvalLanes(EvalLanes)
   ) u_filter (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .pal_lrgb_we_i(pal_lrgb_we_i),
     .pal_lrgb_addr_i(pal_lrgb_addr_i), .pal_rgb_we_i(pal_rgb_we_i),
@@ -93,25 +96,62 @@ module ptm_unit_back #(
     .x_o(o_x), .y_o(o_y), .draw_o(o_draw), .map_alpha_o(o_map_alpha), .color_o(o_color)
   );
 
-  // D1 to D7; what U11 needs travels in the sideband
-  localparam int SidebandW = 2 * PixelW + DrawNumW + 8 + 32;
-  logic                 e_valid, e_ready, e_lum_saturated, e_color_saturated;
-  logic [3*LumW-1:0]    e_lum;
+  // D1 to D7; what U11 needs travels in lane 0's sideband. With three lanes a pass of an RGB map
+  // enters each in the same cycle and leaves each in the same cycle; all else takes lane 0 alone.
+  // The other lanes hold a part of what lane 0 holds, so they never refuse what it accepts.
+  localparam int SidebandW = 1 + 2 * PixelW + DrawNumW + 8 + 32;
+  logic [EvalLanes-1:0] lane_in_ready, lane_valid;
+  logic                 e_valid, e_ready, e_rgb_map;
+  logic [EvalLanes-1:0] e_lum_flags, e_color_flags;
   logic [23:0]          e_rgb;
   logic [SidebandW-1:0] e_sideband;
-  ptm_evaluator #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .SidebandBits(SidebandW)
-  ) u_evaluator (
-    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(o_valid), .ready_o(o_ready), .coef_i(o_coef),
-    .bias_i(o_bias), .shift_i(o_shift), .rgb_i(o_rgb), .lu_i(o_lu[LightW-1:0]),
-    .lv_i(o_lv[LightW-1:0]), .rgb_map_i(o_rgb_map), .channel_i(o_channel),
-    .sideband_i({o_x, o_y, o_draw, o_map_alpha, o_color}), .valid_o(e_valid), .ready_i(e_ready),
-    .lum_o(e_lum), .lum_saturated_o(e_lum_saturated), .rgb_o(e_rgb),
-    .color_saturated_o(e_color_saturated), .sideband_o(e_sideband)
-  );
+  logic [EvalLanes*24-1:0] lane_rgb;
+  assign o_ready = lane_in_ready[0];
+  assign e_valid = lane_valid[0];
+  `PTM_ASSERT(LanesAcceptTogether_A, !(o_valid && o_ready && o_rgb_map) || &lane_in_ready)
+  `PTM_ASSERT(LanesOfferTogether_A, !(e_valid && e_rgb_map) || &lane_valid)
+  for (genvar e = 0; e < EvalLanes; e++) begin : gen_lane
+    // What goes in and out of this lane now
+    logic                   in, out;
+    logic [SidebandW-1:0]   in_sideband, out_sideband;
+    logic [3*LumW-1:0]      lum;
+    if (e == 0) begin : gen_first
+      assign in          = o_valid;
+      assign out         = e_ready;
+      assign in_sideband = {o_rgb_map, o_x, o_y, o_draw, o_map_alpha, o_color};
+      assign e_sideband  = out_sideband;
+    end else begin : gen_other
+      assign in          = o_valid && o_ready && o_rgb_map;
+      assign out         = e_ready && e_valid && e_rgb_map;
+      assign in_sideband = '0;
+    end
+    ptm_evaluator #(
+      .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+      .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+      .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+      .Assemble(EvalLanes == 1 ? 1 : 0), .SidebandBits(SidebandW)
+    ) u_evaluator (
+      .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(in), .ready_o(lane_in_ready[e]),
+      .coef_i(o_coef[6*StoredW*e +: 6*StoredW]), .bias_i(o_bias), .shift_i(o_shift),
+      .rgb_i(o_rgb), .lu_i(o_lu[LightW-1:0]), .lv_i(o_lv[LightW-1:0]), .rgb_map_i(o_rgb_map),
+      .channel_i(o_channel), .sideband_i(in_sideband), .valid_o(lane_valid[e]), .ready_i(out),
+      .lum_o(lum), .lum_saturated_o(e_lum_flags[e]), .rgb_o(lane_rgb[24*e +: 24]),
+      .color_saturated_o(e_color_flags[e]), .sideband_o(out_sideband)
+    );
+    logic unused_lane;
+    assign unused_lane = ^{lum, out_sideband, lane_rgb[24*e +: 24]};
+  end
+  logic e_lum_saturated, e_color_saturated;
+  if (EvalLanes == 1) begin : gen_assembled
+    assign e_rgb             = lane_rgb;
+    assign e_lum_saturated   = e_lum_flags[0];
+    assign e_color_saturated = e_color_flags[0];
+  end else begin : gen_side_by_side
+    assign e_rgb             = e_rgb_map ? {lane_rgb[71:64], lane_rgb[39:32], lane_rgb[7:0]} :
+                                           lane_rgb[23:0];
+    assign e_lum_saturated   = e_rgb_map ? |e_lum_flags : e_lum_flags[0];
+    assign e_color_saturated = e_rgb_map ? |e_color_flags : e_color_flags[0];
+  end
 
   // U11
   logic [PixelW-1:0]   e_x, e_y;
@@ -120,7 +160,7 @@ module ptm_unit_back #(
   logic [23:0]         e_color;
   logic [2:0]          e_combine;
   logic [8:0]          e_ka, e_kd;
-  assign {e_x, e_y, e_draw, e_map_alpha, e_color_alpha, e_color} = e_sideband;
+  assign {e_rgb_map, e_x, e_y, e_draw, e_map_alpha, e_color_alpha, e_color} = e_sideband;
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_e_draw (
     .draws_i(draws_i), .draw_i(e_draw), .combine_o(e_combine), .ka_o(e_ka), .kd_o(e_kd),
@@ -170,5 +210,5 @@ module ptm_unit_back #(
   assign inc_combine_o = o_leaves ? combine_multiplies : '0;
 
   logic unused;
-  assign unused = ^{e_lum, o_lu, o_lv};
+  assign unused = ^{o_lu, o_lv};
 endmodule

@@ -39,7 +39,8 @@ module ptm_unit_counters #(
   input  logic [5:0]                        number_i,
   output logic [63:0]                       value_o  // of that counter, 0 if there is none
 );
-  localparam int Wide = 8;  // of an increment
+  localparam int Wide   = 8;   // of an increment
+  localparam int Shared = 21;  // counters that no draw has of its own
 
   // Cycles
   logic        started_q;
@@ -68,16 +69,11 @@ module ptm_unit_counters #(
     end
   end
 
-  function automatic logic [3:0] ones(input logic [Tmus*4-1:0] by_bank,
-                                      input logic [Tmus-1:0] of);
-    ones = 4'd0;
-    for (int t = 0; t < Tmus; t++) begin
-      for (int b = 0; b < 4; b++) ones = ones + 4'(of[t] && by_bank[t*4 + b]);
-    end
-  endfunction
-
-  logic [Counters*Wide-1:0] step;
+  // Look-ups by texture: those of a TMU are its word's
   logic [3:0] hits_map, hits_color, misses_map, misses_color, duplicates;
+  function automatic logic [3:0] ones(input logic [3:0] by_bank);
+    ones = 4'(by_bank[0]) + 4'(by_bank[1]) + 4'(by_bank[2]) + 4'(by_bank[3]);
+  endfunction
   always_comb begin
     hits_map     = 4'd0;
     hits_color   = 4'd0;
@@ -85,45 +81,42 @@ module ptm_unit_counters #(
     misses_color = 4'd0;
     duplicates   = 4'd0;
     if (looked_i) begin
-      hits_map   = ones(hits_i, ~color_i);
-      hits_color = ones(hits_i, color_i);
+      for (int t = 0; t < Tmus; t++) begin
+        if (color_i[t]) hits_color = hits_color + ones(hits_i[t*4 +: 4]);
+        else hits_map = hits_map + ones(hits_i[t*4 +: 4]);
+      end
       if (misses_i != '0) begin
-        misses_map   = ones(misses_i, ~color_i);
-        misses_color = ones(misses_i, color_i);
-        duplicates   = ones(duplicates_i, '1);
+        for (int t = 0; t < Tmus; t++) begin
+          if (color_i[t]) misses_color = misses_color + ones(misses_i[t*4 +: 4]);
+          else misses_map = misses_map + ones(misses_i[t*4 +: 4]);
+          duplicates = duplicates + ones(duplicates_i[t*4 +: 4]);
+        end
       end
     end
   end
 
-  assign step[0*Wide +: Wide]  = Wide'(accepted_i);
-  assign step[1*Wide +: Wide]  = Wide'(taken_i);
-  assign step[2*Wide +: Wide]  = Wide'(counts);
-  assign step[3*Wide +: Wide]  = Wide'(counts && k_leaves_i);
-  assign step[4*Wide +: Wide]  = Wide'(counts && k_holds_i && !k_leaves_i && !f_accepts_i);
-  assign step[5*Wide +: Wide]  = Wide'(counts && k_holds_i && !k_leaves_i && f_accepts_i);
-  assign step[6*Wide +: Wide]  = Wide'(counts && !k_holds_i && t_waits_for_slots_i);
-  assign step[7*Wide +: Wide]  = Wide'(counts && !k_holds_i && !t_waits_for_slots_i);
-  assign step[8*Wide +: Wide]  = Wide'(k_leaves_i);
-  assign step[9*Wide +: Wide]  = Wide'(inc_conflicts_i);
-  assign step[10*Wide +: Wide] = Wide'(inc_words_i);
-  assign step[11*Wide +: Wide] = Wide'(inc_taps_i);
-  assign step[12*Wide +: Wide] = Wide'(hits_map) + Wide'(hits_color);
-  assign step[13*Wide +: Wide] = Wide'(misses_map) + Wide'(misses_color);
-  assign step[14*Wide +: Wide] = Wide'(inc_lines_i);
-  assign step[15*Wide +: Wide] = Wide'(duplicates);
-  assign step[16*Wide +: Wide] = Wide'(inc_palette_i);
-  assign step[17*Wide +: Wide] = Wide'(inc_multiplies_address_i);
-  assign step[18*Wide +: Wide] = Wide'(inc_multiplies_filter_i);
-  assign step[19*Wide +: Wide] = Wide'(inc_multiplies_eval_i);
-  assign step[20*Wide +: Wide] = Wide'(inc_multiplies_combine_i);
-  for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_draw
-    logic here;
-    assign here            = draw_i == ptm_unit_pkg::DrawBits'(d);
-    assign step[(21+4*d)*Wide +: Wide]    = here ? Wide'(hits_map) : '0;
-    assign step[(21+4*d+1)*Wide +: Wide]  = here ? Wide'(misses_map) : '0;
-    assign step[(21+4*d+2)*Wide +: Wide]  = here ? Wide'(hits_color) : '0;
-    assign step[(21+4*d+3)*Wide +: Wide]  = here ? Wide'(misses_color) : '0;
-  end
+  logic [Wide-1:0] step [Shared];
+  assign step[0]  = Wide'(accepted_i);
+  assign step[1]  = Wide'(taken_i);
+  assign step[2]  = Wide'(counts);
+  assign step[3]  = Wide'(counts && k_leaves_i);
+  assign step[4]  = Wide'(counts && k_holds_i && !k_leaves_i && !f_accepts_i);
+  assign step[5]  = Wide'(counts && k_holds_i && !k_leaves_i && f_accepts_i);
+  assign step[6]  = Wide'(counts && !k_holds_i && t_waits_for_slots_i);
+  assign step[7]  = Wide'(counts && !k_holds_i && !t_waits_for_slots_i);
+  assign step[8]  = Wide'(k_leaves_i);
+  assign step[9]  = Wide'(inc_conflicts_i);
+  assign step[10] = Wide'(inc_words_i);
+  assign step[11] = Wide'(inc_taps_i);
+  assign step[12] = Wide'(hits_map) + Wide'(hits_color);
+  assign step[13] = Wide'(misses_map) + Wide'(misses_color);
+  assign step[14] = Wide'(inc_lines_i);
+  assign step[15] = Wide'(duplicates);
+  assign step[16] = Wide'(inc_palette_i);
+  assign step[17] = Wide'(inc_multiplies_address_i);
+  assign step[18] = Wide'(inc_multiplies_filter_i);
+  assign step[19] = Wide'(inc_multiplies_eval_i);
+  assign step[20] = Wide'(inc_multiplies_combine_i);
 
   // Only those that move are written. The cycles bring the idle time before them. What stands in
   // them after reset is cleared in the cycle after it.
@@ -133,13 +126,36 @@ module ptm_unit_counters #(
     else fresh_q <= 1'b0;
   end
   assign clear = clear_i || fresh_q;
-  logic [63:0] count_q [Counters];
-  for (genvar n = 0; n < Counters; n++) begin : gen_counter
+  logic [63:0] count_q [Shared];
+  for (genvar n = 0; n < Shared; n++) begin : gen_counter
     logic [63:0] sum;
-    assign sum = count_q[n] + 64'(step[n*Wide +: Wide]) + (n == 2 || n == 7 ? idle_q : 64'd0);
+    assign sum = count_q[n] + 64'(step[n]) + (n == 2 || n == 7 ? idle_q : 64'd0);
     always_ff @(posedge clk_i) begin
-      if (clear || step[n*Wide +: Wide] != '0) count_q[n] <= clear ? 64'd0 : sum;
+      if (clear || step[n] != '0) count_q[n] <= clear ? 64'd0 : sum;
     end
   end
-  assign value_o = number_i < 6'(Counters) ? count_q[number_i] : 64'd0;
+
+  // A draw's own: hits and misses of its map, of its colour texture
+  logic [63:0] draw_count_q [4*ptm_unit_pkg::Draws];
+  for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_draw
+    always_ff @(posedge clk_i) begin
+      if (clear || (looked_i && draw_i == ptm_unit_pkg::DrawBits'(d))) begin
+        draw_count_q[4*d]   <= clear ? 64'd0 : draw_count_q[4*d] + 64'(hits_map);
+        draw_count_q[4*d+1] <= clear ? 64'd0 : draw_count_q[4*d+1] + 64'(misses_map);
+        draw_count_q[4*d+2] <= clear ? 64'd0 : draw_count_q[4*d+2] + 64'(hits_color);
+        draw_count_q[4*d+3] <= clear ? 64'd0 : draw_count_q[4*d+3] + 64'(misses_color);
+      end
+    end
+  end
+
+  logic [5:0] of_draws;
+  assign of_draws = number_i - 6'(Shared);
+  always_comb begin
+    value_o = 64'd0;
+    if (number_i < 6'(Shared)) value_o = count_q[number_i[4:0]];
+    else if (number_i < 6'(Counters)) value_o = draw_count_q[of_draws[3:0]];
+  end
+
+  logic unused_bits;
+  assign unused_bits = ^of_draws[5:4];
 endmodule

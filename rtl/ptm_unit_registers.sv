@@ -36,14 +36,20 @@ module ptm_unit_registers (
 
   // Writes
   logic we_draws, we_command, we_lines;
-  assign we_draws        = reg_we_i && reg_addr_i[15:8] == 8'h00;
-  assign we_command      = reg_we_i && reg_addr_i == 16'h1000;
-  assign we_lines        = reg_we_i && reg_addr_i == 16'h1001;
-  assign invalidate_o    = we_command && reg_wdata_i[0];
-  assign clear_o         = we_command && reg_wdata_i[1];
-  assign pal_lrgb_we_o   = reg_we_i && reg_addr_i[15:11] == 5'b01000;
+  always_comb begin
+    {we_draws, we_command, we_lines}                     = '0;
+    {pal_lrgb_we_o, pal_rgb_we_o, invalidate_o, clear_o} = '0;
+    if (reg_we_i) begin
+      we_draws      = reg_addr_i[15:8] == 8'h00;
+      we_command    = reg_addr_i == 16'h1000;
+      we_lines      = reg_addr_i == 16'h1001;
+      pal_lrgb_we_o = reg_addr_i[15:11] == 5'b01000;
+      pal_rgb_we_o  = reg_addr_i[15];
+      invalidate_o  = we_command && reg_wdata_i[0];
+      clear_o       = we_command && reg_wdata_i[1];
+    end
+  end
   assign pal_lrgb_addr_o = reg_addr_i[10:0];
-  assign pal_rgb_we_o    = reg_we_i && reg_addr_i[15];
   assign pal_rgb_addr_o  = reg_addr_i[14:0];
   assign pal_data_o      = reg_wdata_i;
 
@@ -121,8 +127,9 @@ module ptm_unit_registers (
       end
     end
   end
-  for (genvar d = 0; d < Draws; d++) begin : gen_control
-    assign we_control[d] = we_draws && reg_addr_i[7:0] == 8'(64 * d);
+  always_comb begin
+    we_control = '0;
+    if (we_draws && reg_addr_i[5:0] == 6'd0) we_control[reg_addr_i[7:6]] = 1'b1;
   end
 
   // The check: one level of one texture a cycle
@@ -197,11 +204,13 @@ module ptm_unit_registers (
     end else begin
       if (start) active_q <= 1'b1;
       else if (last) active_q <= 1'b0;
-      for (int d = 0; d < Draws; d++) begin
-        if (we_control[d]) waiting_q[d] <= 1'b1;
-        else if (start && next == 2'(d)) waiting_q[d] <= 1'b0;
-        if (active_q && last && check_draw_q == 2'(d)) errors_q[4*d +: 4] <= errors;
+      if (start || we_draws) begin
+        for (int d = 0; d < Draws; d++) begin
+          if (we_control[d]) waiting_q[d] <= 1'b1;
+          else if (start && next == 2'(d)) waiting_q[d] <= 1'b0;
+        end
       end
+      if (active_q && last) errors_q[4*check_draw_q +: 4] <= errors;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -236,14 +245,13 @@ module ptm_unit_registers (
 
   // Reading
   assign counter_number_o = reg_addr_i[6:1];
-  logic [31:0] status, counter;
   always_comb begin
-    status = '0;
-    for (int d = 0; d < Draws; d++) status[8*d +: 4] = errors_q[4*d +: 4];
-    counter = reg_addr_i[0] ? counter_i[63:32] : counter_i[31:0];
-    if (reg_addr_i[15:7] == 9'h040) reg_rdata_o = counter;
-    else if (reg_addr_i == 16'h1002) reg_rdata_o = status;
-    else if (reg_addr_i == 16'h1003) begin
+    if (reg_addr_i[15:7] == 9'h040) begin
+      reg_rdata_o = reg_addr_i[0] ? counter_i[63:32] : counter_i[31:0];
+    end else if (reg_addr_i == 16'h1002) begin
+      reg_rdata_o = {4'd0, errors_q[15:12], 4'd0, errors_q[11:8], 4'd0, errors_q[7:4],
+                     4'd0, errors_q[3:0]};
+    end else if (reg_addr_i == 16'h1003) begin
       reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 6'd0, mem_error_q,
                      busy_i || checking_o};
     end else reg_rdata_o = '0;

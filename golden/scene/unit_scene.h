@@ -127,6 +127,7 @@ struct HardwareSpec {
   int fragment_fifo = 192, miss_fifo = 64;
   std::optional<int> shift_groups;  ///< 3 or 6; the preset's if absent
   int palette_lrgb_ports = 4, palette_rgb_ports = 1;
+  int eval_lanes = 1;
 };
 
 enum class MemoryKind : std::uint8_t { fixed, dram, random };

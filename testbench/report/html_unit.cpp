@@ -74,6 +74,7 @@ void add_build(std::string& page, const UnitSection& unit) {
              std::to_string(c.palette_lrgb_ports) + " for LRGB, " +
                  std::to_string(c.palette_rgb_ports) + " for RGB");
   }
+  add_fact(page, "Evaluators", std::to_string(c.eval_lanes));
   if (!unit.memory.empty()) add_fact(page, "Memory", unit.memory);
   page += "</dl>\n";
 }

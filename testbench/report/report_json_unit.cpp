@@ -13,7 +13,8 @@ Json config_json(const reference::UnitConfig& config) {
           {"fragment_fifo", config.fragment_fifo},
           {"miss_fifo", config.miss_fifo},
           {"palette_lrgb_ports", config.palette_lrgb_ports},
-          {"palette_rgb_ports", config.palette_rgb_ports}};
+          {"palette_rgb_ports", config.palette_rgb_ports},
+          {"eval_lanes", config.eval_lanes}};
 }
 
 Json name_or_null(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }

@@ -14,7 +14,8 @@ constexpr reference::UnitConfig kSmallUnit{.tmus = 3,
                                            .fragment_fifo = 8,
                                            .miss_fifo = 12,
                                            .palette_lrgb_ports = 2,
-                                           .palette_rgb_ports = 2};
+                                           .palette_rgb_ports = 2,
+                                           .eval_lanes = 3};
 
 using reference::kBase;
 using reference::kPaper8;
@@ -36,7 +37,8 @@ std::string describe(const RtlUnitVariant& variant) {
          std::to_string(unit.miss_fifo) + ", shift_groups " +
          std::to_string(variant.config.shift_groups) + ", palette ports " +
          std::to_string(unit.palette_lrgb_ports) + " and " +
-         std::to_string(unit.palette_rgb_ports) + ")";
+         std::to_string(unit.palette_rgb_ports) + ", eval_lanes " +
+         std::to_string(unit.eval_lanes) + ")";
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ reference::UnitConfig unit_config(const UnitScene& scene) {
   unit.miss_fifo = hardware.miss_fifo;
   unit.palette_lrgb_ports = hardware.palette_lrgb_ports;
   unit.palette_rgb_ports = hardware.palette_rgb_ports;
+  unit.eval_lanes = hardware.eval_lanes;
   try {
     validate(unit);
   } catch (const std::invalid_argument& error) {

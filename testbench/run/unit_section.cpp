@@ -75,13 +75,14 @@ std::vector<std::string> differing_counters(const UnitTimed& a, const UnitTimed&
 double warm_cycles_per_pixel(const UnitJob& job, int draw) {
   const reference::Draw& d = job.state.draws[static_cast<std::size_t>(draw)];
   const int groups = (draw_words(d) + job.unit.tmus - 1) / job.unit.tmus;
+  const int passes = (draw_passes(d) + job.unit.eval_lanes - 1) / job.unit.eval_lanes;
   double sum = 0, count = 0;
   for (const UnitFrameInput& frame : job.frames) {
     for (const reference::UnitFragment& fragment : frame.fragments) {
       if (fragment.draw != draw) continue;
       const int beats =
           groups * reference::footprint_count(d, fragment) * (1 << fragment.probes_log2);
-      sum += std::max(beats, draw_passes(d));
+      sum += std::max(beats, passes);
       ++count;
     }
   }

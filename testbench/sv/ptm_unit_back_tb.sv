@@ -17,7 +17,8 @@ module ptm_unit_back_tb #(
   parameter int FilterFrac       = 0,
   parameter int Tmus             = 3,
   parameter int PaletteLrgbPorts = 4,
-  parameter int PaletteRgbPorts  = 1
+  parameter int PaletteRgbPorts  = 1,
+  parameter int EvalLanes        = 1
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -189,7 +190,8 @@ module ptm_unit_back_tb #(
     .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
     .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
     .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts)
+    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
+    .EvalLanes(EvalLanes)
   ) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .pal_lrgb_we_i(pal_lrgb_we),
     .pal_lrgb_addr_i(pal_lrgb_addr), .pal_rgb_we_i(pal_rgb_we), .pal_rgb_addr_i(pal_rgb_addr),

@@ -25,7 +25,8 @@ module ptm_unit_tb #(
   parameter int FragmentFifo     = 192,
   parameter int MissFifo         = 64,
   parameter int PaletteLrgbPorts = 4,
-  parameter int PaletteRgbPorts  = 1
+  parameter int PaletteRgbPorts  = 1,
+  parameter int EvalLanes        = 1
 ) (
   input  logic               clk_i,  // a cycle each time it changes
   input  logic               rst_ni,
@@ -80,7 +81,8 @@ module ptm_unit_tb #(
     .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
     .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
-    .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts)
+    .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
+    .EvalLanes(EvalLanes)
   ) u_dut (
     .clk_i                (clk),
     .rst_ni               (rst_ni),
@@ -149,6 +151,7 @@ module ptm_unit_tb #(
         8'd144: probe_o = 32'(MissFifo);
         8'd145: probe_o = 32'(PaletteLrgbPorts);
         8'd146: probe_o = 32'(PaletteRgbPorts);
+        8'd147: probe_o = 32'(EvalLanes);
         default: probe_o = 32'd0;
       endcase
     end

@@ -45,6 +45,7 @@ struct RandomUnit {
     unit.miss_fifo = one_in(3) ? 64 : 4 * unit.tmus + below(5);
     unit.palette_lrgb_ports = pick({1, 2, 4});
     unit.palette_rgb_ports = pick({1, 2, 4});
+    unit.eval_lanes = pick({1, 1, 3});
   }
 
   void make_disturbance(std::uint64_t seed) {

@@ -117,7 +117,8 @@ void SteppedUnit::step_output() {
 /// L3, L2, L1, P, D, F.
 void SteppedUnit::step_filter() {
   if (l3_ && (!l3_->last || o_free_)) {
-    if (l3_->last) o_ = Operands{reference::draw_passes(*l3_->draw)};
+    if (l3_->last)
+      o_ = Operands{(reference::draw_passes(*l3_->draw) + unit_.eval_lanes - 1) / unit_.eval_lanes};
     l3_.reset();
   }
   if (l2_ && !l3_) std::swap(l2_, l3_);

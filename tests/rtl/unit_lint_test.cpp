@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Built{"Wide", "-GLightFrac=12 -GBasisFrac=16 -GGuard=10 -GLumFrac=4"},
                     Built{"Small",
                           "-GShiftGroups=3 -GCacheKib=1 -GWays=1 -GFragmentFifo=8 -GMissFifo=12 "
-                          "-GPaletteLrgbPorts=2 -GPaletteRgbPorts=2"},
+                          "-GPaletteLrgbPorts=2 -GPaletteRgbPorts=2 -GEvalLanes=3"},
                     Built{"OneSet", "-GCacheKib=1 -GWays=4 -GFragmentFifo=4 -GPaletteLrgbPorts=1"},
                     Built{"Large",
                           "-GCacheKib=64 -GWays=4 -GFragmentFifo=1024 -GMissFifo=256 "

@@ -60,14 +60,16 @@ DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit) {
   }
   if (draw.color) plan.texture[plan.texture_count++] = plan_texture(draw.color_texture, 1, 1);
   plan_beats(plan, static_cast<unsigned>(unit.tmus));
-  plan.passes = static_cast<unsigned>(reference::draw_passes(draw));
+  const auto lanes = static_cast<unsigned>(unit.eval_lanes);
+  const auto passes = static_cast<unsigned>(reference::draw_passes(draw));
+  plan.passes = (passes + lanes - 1) / lanes;
   if (draw.format == TextureFormat::palette_lrgb) {
     plan.palette_ports = static_cast<unsigned>(unit.palette_lrgb_ports);
   } else if (draw.format == TextureFormat::palette_rgb) {
     plan.palette_ports = static_cast<unsigned>(unit.palette_rgb_ports);
   }
   plan.beats_alone = plan.passes == 1 && plan.palette_ports == 0;
-  if (draw.format != TextureFormat::none) plan.eval_multiplies = plan.passes == 3 ? 24 : 11;
+  if (draw.format != TextureFormat::none) plan.eval_multiplies = passes == 3 ? 24 : 11;
   constexpr std::array<unsigned, 6> kCombine{0, 3, 6, 6, 0, 0};
   plan.combine_multiplies = kCombine[static_cast<std::size_t>(draw.combine)];
   return plan;

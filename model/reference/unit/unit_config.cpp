@@ -32,6 +32,7 @@ void validate(const UnitConfig& config) {
   require_range("miss_fifo", config.miss_fifo, 4 * config.tmus, 256);
   require_one_of("palette_lrgb_ports", config.palette_lrgb_ports, {1, 2, 4});
   require_one_of("palette_rgb_ports", config.palette_rgb_ports, {1, 2, 4});
+  require_one_of("eval_lanes", config.eval_lanes, {1, 3});
 }
 
 }  // namespace ptm::reference

@@ -11,6 +11,7 @@ struct UnitConfig {
   int miss_fifo = 64;          ///< lines reserved or outstanding; 4 * tmus..256
   int palette_lrgb_ports = 4;  ///< look-ups a cycle; 1, 2, 4
   int palette_rgb_ports = 1;   ///< 1, 2, 4
+  int eval_lanes = 1;          ///< evaluators side by side; 1, or 3: one a channel
   bool operator==(const UnitConfig&) const = default;
 
   /// Sets of one tag bank.
