@@ -5,8 +5,8 @@
 #include "golden/files/ptm_file.h"
 #include "golden/render/light_map.h"
 #include "testbench/run/hardware_map.h"
-#include "tests/fit/scratch_folder.h"
 #include "tests/run_program.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::tests {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "golden/files/ptm_file.h"
 #include "tests/convert/made_maps.h"
-#include "tests/fit/scratch_folder.h"
 #include "tests/run_program.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::tests {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "tests/files/crafted_ptm.h"
 #include "tests/run_program.h"
+#include "tests/scratch_folder.h"
 
 // `ptmsim info` and `ptmsim convert` as a user meets them.
 namespace ptm::tests {

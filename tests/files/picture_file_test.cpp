@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "tests/files/crafted_ptm.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::tests {
 namespace {

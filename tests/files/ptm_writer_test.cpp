@@ -9,6 +9,7 @@
 #include "golden/files/prediction.h"
 #include "golden/files/ptm_header.h"
 #include "tests/files/crafted_ptm.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::tests {
 namespace {

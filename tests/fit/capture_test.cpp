@@ -8,7 +8,7 @@
 
 #include "golden/files/picture_row_writer.h"
 #include "golden/fit/photo_bands.h"
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::golden {
 namespace {

@@ -8,7 +8,7 @@
 #include "golden/render/light_map.h"
 #include "testbench/program/fit_job.h"
 #include "testbench/run/hardware_map.h"
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::testbench {
 namespace {

@@ -8,7 +8,7 @@
 #include "golden/fit/photo_bands.h"
 #include "golden/render/light_map.h"
 #include "testbench/program/fit_job.h"
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 #include "tests/shared_data.h"
 
 namespace ptm::testbench {

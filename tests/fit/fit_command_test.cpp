@@ -4,8 +4,8 @@
 
 #include "golden/files/ptm_file.h"
 #include "testbench/run/hardware_map.h"
-#include "tests/fit/scratch_folder.h"
 #include "tests/run_program.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::testbench {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "golden/files/picture_row_writer.h"
 #include "golden/scene/relief.h"
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "golden/files/ptm_file.h"
 #include "golden/files/ptm_row_writer.h"
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::golden {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 #include "tests/shared_data.h"
 
 namespace ptm::golden {

@@ -1,6 +1,6 @@
 #include "golden/files/light_table.h"
 
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 #include "tests/shared_data.h"
 
 namespace ptm::golden {

@@ -11,7 +11,7 @@
 #include "golden/scene/relief.h"
 #include "testbench/program/fit_job.h"
 #include "tests/fit/interlaced_png.h"
-#include "tests/fit/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace ptm::testbench {
 namespace {

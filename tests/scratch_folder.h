@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "golden/files/picture_file.h"
@@ -15,9 +17,10 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() /
-            (std::string("ptm_") + info->test_suite_name() + "_" + info->name() + "_" +
-             std::to_string(getpid()));
+    std::string name = std::string("ptm_") + info->test_suite_name() + "_" + info->name() + "_" +
+                       std::to_string(getpid());
+    std::replace(name.begin(), name.end(), '/', '_');  // of a test with parameters
+    path_ = std::filesystem::temp_directory_path() / name;
     std::filesystem::create_directories(path_);
   }
   ScratchFolder(const ScratchFolder&) = delete;
@@ -34,6 +37,11 @@ class ScratchFolder {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << text;
     return path_ / name;
+  }
+  /// How many files and folders lie directly in it.
+  [[nodiscard]] std::size_t files() const {
+    const std::filesystem::directory_iterator first(path_);
+    return static_cast<std::size_t>(std::distance(begin(first), end(first)));
   }
   /// A picture of one level; its size and name tell it apart.
   void picture(const std::string& name, int width = 4, int height = 3,
