@@ -85,24 +85,57 @@ module ptm_filter_fields #(
                          l2_group_i == 3'd0;
   assign l2_rgb_index  = l2_format_i == ptm_unit_pkg::FormatPaletteRgb &&
                          l2_group_i == 3'd0;
+  logic [Tmus-1:0] l2_colors;
+  logic            l2_color;
+  for (genvar t = 0; t < Tmus; t++) begin : gen_l2_color
+    assign l2_colors[t] = brings_color(l2_format_i, l2_group_i, t);
+  end
+  assign l2_color = l2_colors != '0;
+
+  // Fields come in groups: the six words of coefficients, LRGB's colour, its alpha, the colour
+  // texture. Which of them the beat in L2 brings, from where, and whether it is added to the sum.
+  localparam int Groups = 9, Color = 6, Alpha = 7, Texture = 8;
+  logic [Groups-1:0] here, indexed, brings_group, adds_q;
+  for (genvar g = 0; g < Groups; g++) begin : gen_group
+    if (g < Color) begin : gen_coef
+      assign indexed[g] = (l2_lrgb_index && g < 2) || l2_rgb_index;
+      assign here[g]    = indexed[g] ||
+                          ((l2_rgb || (l2_lrgb && g < 2)) && brings(l2_group_i, g, g % Tmus));
+    end else if (g < Texture) begin : gen_color
+      assign indexed[g] = l2_lrgb_index && g == Color;
+      assign here[g]    = indexed[g] ||
+                          (l2_lrgb && brings(l2_group_i, LrgbColor, LrgbColor % Tmus));
+    end else begin : gen_texture
+      assign indexed[g] = 1'b0;
+      assign here[g]    = l2_color;
+    end
+    assign brings_group[g] = load_l3_i && here[g];
+    always_ff @(posedge clk_i) begin
+      if (load_l3_i) begin
+        adds_q[g] <= here[g] && l2_second_i == ((g < Texture ? l2_map_f_i : l2_color_f_i) != 8'd0);
+      end
+    end
+  end
+
+  // The value of a field that the beat does not bring stands still, at 0.
   for (genvar n = 0; n < ptm_unit_pkg::Fields; n++) begin : gen_field
-    logic              here, replace;
+    localparam int Group = n < 18 ? n / 3 : n < 21 ? Color : n < 22 ? Alpha : Texture;
+    logic              replace;
     logic [ValueW-1:0] value, replacement;
     if (n < 18) begin : gen_coef
-      localparam int Word = n / 3;
-      localparam int Tmu  = Word % Tmus;
-      logic indexed;
-      assign indexed = (l2_lrgb_index && n < 6) || l2_rgb_index;
-      assign value   = indexed ? l2[n] : l2[lane(Tmu, n % 3)];
-      assign here    = indexed ||
-                       ((l2_rgb || (l2_lrgb && n < 6)) && brings(l2_group_i, Word, Tmu));
+      localparam int Tmu = Group % Tmus;
+      always_comb begin
+        value = '0;
+        if (brings_group[Group]) value = indexed[Group] ? l2[n] : l2[lane(Tmu, n % 3)];
+      end
       assign replace     = !l3_lit_i || l3_none;
       assign replacement = l3_none ? '0 : ValueW'(l3_bias_i[12*(n%6) +: CoefBits]) << FilterFrac;
     end else if (n < 22) begin : gen_color
       localparam int Tmu = LrgbColor % Tmus;
-      assign value = l2_lrgb_index && n < 21 ? l2[n-12] : l2[lane(Tmu, n - 18)];
-      assign here  = (l2_lrgb_index && n < 21) ||
-                     (l2_lrgb && brings(l2_group_i, LrgbColor, Tmu));
+      always_comb begin
+        value = '0;
+        if (brings_group[Group]) value = indexed[Group] ? l2[n-12] : l2[lane(Tmu, n - 18)];
+      end
       if (n == 21) begin : gen_alpha
         assign replace     = !l3_lrgb;
         assign replacement = ValueW'(255) << FilterFrac;
@@ -112,32 +145,28 @@ module ptm_filter_fields #(
       end
     end else begin : gen_texture
       always_comb begin
-        case (l2_format_i)
-          ptm_unit_pkg::FormatNone: value = l2[lane(0, n - 22)];
-          ptm_unit_pkg::FormatLrgb: value = l2[lane(3 % Tmus, n - 22)];
-          ptm_unit_pkg::FormatRgb:  value = l2[lane(6 % Tmus, n - 22)];
-          default:                  value = l2[lane(1 % Tmus, n - 22)];
-        endcase
+        value = '0;
+        if (brings_group[Group]) begin
+          case (l2_format_i)
+            ptm_unit_pkg::FormatNone: value = l2[lane(0, n - 22)];
+            ptm_unit_pkg::FormatLrgb: value = l2[lane(3 % Tmus, n - 22)];
+            ptm_unit_pkg::FormatRgb:  value = l2[lane(6 % Tmus, n - 22)];
+            default:                  value = l2[lane(1 % Tmus, n - 22)];
+          endcase
+        end
       end
-      assign here        = l2_color;
       assign replace     = 1'b0;
       assign replacement = '0;
     end
     ptm_filter_field #(.Width(ValueW), .RoundNearest(RoundNearest)) u_field (
-      .clk_i(clk_i), .load_l3_i(load_l3_i), .here_i(here), .second_i(l2_second_i),
+      .clk_i(clk_i), .brings_i(brings_group[Group]), .second_i(l2_second_i),
       .f_i(n < 22 ? l2_map_f_i : l2_color_f_i), .value_i(value),
-      .leave_l3_i(leave_l3_i), .first_probe_i(l3_first_probe_i),
+      .leave_l3_i(leave_l3_i), .adds_i(adds_q[Group]), .first_probe_i(l3_first_probe_i),
       .probes_log2_i(l3_probes_log2_i),
       .load_o_i(load_o_i && (n < 6 || n >= 18 || l3_rgb)), .replace_i(replace),
       .replacement_i(replacement), .field_o(field[n])
     );
   end
-  logic [Tmus-1:0] l2_colors;
-  logic            l2_color;
-  for (genvar t = 0; t < Tmus; t++) begin : gen_l2_color
-    assign l2_colors[t] = brings_color(l2_format_i, l2_group_i, t);
-  end
-  assign l2_color = l2_colors != '0;
 
   // O: the operands of a pass, or of all three
   for (genvar i = 0; i < 6; i++) begin : gen_operand

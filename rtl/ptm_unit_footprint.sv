@@ -27,11 +27,6 @@ module ptm_unit_footprint (
   logic [12:0] width, height;
   assign width  = texture_i.width >> level;
   assign height = texture_i.height >> level;
-  always_comb begin
-    level_o        = '0;
-    level_o.level  = level;
-    level_o.width  = width == 13'd0 ? 13'd1 : width;
-    level_o.height = height == 13'd0 ? 13'd1 : height;
-    level_o.base   = texture_i.base[level];
-  end
+  assign level_o = {level, width == 13'd0 ? 13'd1 : width, height == 13'd0 ? 13'd1 : height,
+                    texture_i.base[level]};
 endmodule

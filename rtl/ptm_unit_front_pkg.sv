@@ -42,8 +42,8 @@ package ptm_unit_front_pkg;
   } column_lines_t;
 
   // Which of one texture's taps a (sub-)beat fetches, and where they lie; the same for all of its
-  // words. Of a texel's place bit 2 chooses the tag bank, bit 1 the word in the data bank's row, bit
-  // 0 the data bank.
+  // words. Of a texel's place bit 2 chooses the tag bank, bit 1 the word in the data bank's row,
+  // bit 0 the data bank.
   typedef struct packed {
     logic [1:0] columns;  // that are fetched
     logic [1:0] rows;

@@ -29,8 +29,14 @@ module ptm_unit_taps (
     assign row_word[p]    = row0 ? taken_i.j1[0] : taken_i.j1[1];
   end
   assign here_o     = {{2{has_row[1]}} & has_column, {2{has_row[0]}} & has_column};
-  assign tag_bank_o = {row_tile[1], column_tile[1], row_tile[1], column_tile[0],
-                       row_tile[0], column_tile[1], row_tile[0], column_tile[0]};
+  // Without taps nothing moves, and nothing is simulated
+  always_comb begin
+    tag_bank_o = '0;
+    if (taken_i.columns != '0) begin
+      tag_bank_o = {row_tile[1], column_tile[1], row_tile[1], column_tile[0],
+                    row_tile[0], column_tile[1], row_tile[0], column_tile[0]};
+    end
+  end
 
   logic [1:0] columns_q, rows_q, i0_q, j0_q, column_word_q, row_word_q;
   always_ff @(posedge clk_i) begin
@@ -43,9 +49,14 @@ module ptm_unit_taps (
       row_word_q    <= row_word;
     end
   end
-  assign word_o    = {row_word_q[1], column_word_q[1], row_word_q[1], column_word_q[0],
-                      row_word_q[0], column_word_q[1], row_word_q[0], column_word_q[0]};
   assign fetched_o = {{2{rows_q[1]}} & columns_q, {2{rows_q[0]}} & columns_q};
-  assign bank_o    = {j0_q[1], i0_q[1], j0_q[1], i0_q[0],
-                      j0_q[0], i0_q[1], j0_q[0], i0_q[0]};
+  always_comb begin
+    word_o = '0;
+    bank_o = '0;
+    if (columns_q != '0) begin
+      word_o = {row_word_q[1], column_word_q[1], row_word_q[1], column_word_q[0],
+                row_word_q[0], column_word_q[1], row_word_q[0], column_word_q[0]};
+      bank_o = {j0_q[1], i0_q[1], j0_q[1], i0_q[0], j0_q[0], i0_q[1], j0_q[0], i0_q[0]};
+    end
+  end
 endmodule

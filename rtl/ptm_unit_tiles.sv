@@ -67,25 +67,16 @@ module ptm_unit_tiles #(
     end
   end
 
-  always_comb begin
-    texels_o            = '0;
-    texels_o.columns    = wu_o != 8'd0;
-    texels_o.rows       = wv_o != 8'd0;
-    texels_o.i          = {i1, i0};
-    texels_o.j          = {j1, j0};
-    texels_o.level      = level_i.level;
-    texels_o.collides_u = wu_o != 8'd0 && i0 != i1 &&
+  logic columns, rows, collides_u, collides_v;
+  assign columns        = wu_o != 8'd0;
+  assign rows           = wv_o != 8'd0;
+  assign collides_u     = columns && i0 != i1 &&
                           (i0[0] == i1[0] || (i0[11:2] != i1[11:2] && i0[2] == i1[2]));
-    texels_o.collides_v = wv_o != 8'd0 && j0 != j1 &&
+  assign collides_v     = rows && j0 != j1 &&
                           (j0[0] == j1[0] || (j0[11:2] != j1[11:2] && j0[2] == j1[2]));
-  end
-
-  always_comb begin
-    row_lines_o           = '0;
-    row_lines_o.row       = {row1, row0};
-    column_lines_o        = '0;
-    column_lines_o.column = {column1[12:0], column0[12:0]};
-  end
+  assign texels_o       = {i1, i0, j1, j0, level_i.level, columns, rows, collides_u, collides_v};
+  assign row_lines_o    = {row1, row0};
+  assign column_lines_o = {column1[12:0], column0[12:0]};
 
   logic unused_bits;
   assign unused_bits = ^{rounded_up[1:0], column0[25:13], column1[25:13]};

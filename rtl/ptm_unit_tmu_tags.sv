@@ -60,11 +60,6 @@ module ptm_unit_tmu_tags #(
     end
   end
 
-  always_comb begin
-    reads_o         = '0;
-    reads_o.fetched = fetched_i;
-    reads_o.color   = color_i;
-    reads_o.missed  = first_i ? missed_now : missed_q;
-    reads_o.place   = first_i ? place_i : place_q;
-  end
+  assign reads_o = {fetched_i, color_i, first_i ? missed_now : missed_q,
+                    first_i ? place_i : place_q};
 endmodule
