@@ -87,6 +87,8 @@ TEST_F(UnitSectionOfAScene, CountsWarmCyclesByBeatsAndPasses) {
   EXPECT_EQ(warm_cycles_per_pixel(job("[hardware]\ntmus = 3\n", rgb), 0), 3)
       << "two beats, but three passes of the evaluator";
   EXPECT_EQ(warm_cycles_per_pixel(job("[hardware]\ntmus = 1\n", rgb), 0), 6);
+  EXPECT_EQ(warm_cycles_per_pixel(job("[hardware]\neval_lanes = 3\n", rgb), 0), 2)
+      << "three evaluators take the passes at once";
   EXPECT_EQ(warm_cycles_per_pixel(job("[hardware]\ntmus = 3\n"), 1), 0) << "no pixel is of it";
 }
 
