@@ -21,6 +21,7 @@ struct RandomUnit {
 
   explicit RandomUnit(std::uint64_t seed) : random_(seed) {
     make_config();
+    unit.eval_lanes = seed % 3 == 2 ? 3 : 1;
     make_disturbance(seed);
     const int count = pick({1, 1, 2, 4});
     for (int d = 0; d < count; ++d) draws.push_back(make_draw());
@@ -45,7 +46,6 @@ struct RandomUnit {
     unit.miss_fifo = one_in(3) ? 64 : 4 * unit.tmus + below(5);
     unit.palette_lrgb_ports = pick({1, 2, 4});
     unit.palette_rgb_ports = pick({1, 2, 4});
-    unit.eval_lanes = pick({1, 1, 3});
   }
 
   void make_disturbance(std::uint64_t seed) {
