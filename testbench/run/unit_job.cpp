@@ -108,7 +108,7 @@ std::vector<UnitFragment> make_unit_fragments(const UnitScene& scene, const Eval
     const auto fragment = reference::quantize_unit_fragment(
         config, state.draws[static_cast<std::size_t>(s.draw)],
         {s.x, s.y, s.u, s.v, s.lod, s.axis_u, s.axis_v, s.probes_log2, s.light_vertex[0],
-         s.light_vertex[1], s.lit, s.draw});
+         s.light_vertex[1], 0, 0, s.lit, s.draw});
     if (!fragment) {
       throw InputError(
           scene.file.string(), light_place(scene, frame),

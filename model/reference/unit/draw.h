@@ -32,6 +32,26 @@ struct TextureLevels {
   }
 };
 
+inline constexpr int kExtraSets = 4, kExtraPasses = 4;
+
+/// An evaluator pass beyond the map's own: docs/spec/effects.md, "Draw".
+struct ExtraPass {
+  int set = 0;        ///< 0: the map's polynomial; s: extra set s - 1
+  bool half = false;  ///< with (hu, hv) instead of (lu, lv)
+  bool operator==(const ExtraPass&) const = default;
+};
+
+/// What effects add to a draw.
+struct DrawEffects {
+  int sets = 0;  ///< coefficient sets of a texel beyond the map's
+  std::array<Six<Value>, kExtraSets> bias{}, shift{};
+  int passes = 0;
+  std::array<ExtraPass, kExtraPasses> pass{};
+  unsigned stages = 0;         ///< mask of the stages that act on the draw's pixels
+  std::uint32_t argument = 0;  ///< what stages want to know
+  bool operator==(const DrawEffects&) const = default;
+};
+
 struct Draw {
   TextureFormat format = TextureFormat::lrgb;
   bool bilinear = true;
@@ -44,6 +64,7 @@ struct Draw {
   Six<Value> bias{}, shift{};
   int palette = 0;
   Value ka = 0, kd = 256, ks = 0;  ///< Q1.8
+  DrawEffects effects;
   bool operator==(const Draw&) const = default;
 };
 

@@ -12,6 +12,7 @@ struct UnitFragment {
   std::int32_t u = 0, v = 0;            ///< Q8.20
   std::int32_t axis_u = 0, axis_v = 0;  ///< Q8.20, from one probe to the next
   std::int32_t lu = 0, lv = 0;          ///< light codes
+  std::int32_t hu = 0, hv = 0;          ///< the half-vector's; 0 where no effect asks for it
   std::uint16_t x = 0, y = 0;           ///< the pixel
   std::uint16_t lod = 0;                ///< Q4.8
   std::uint8_t probes_log2 = 0;
@@ -28,6 +29,7 @@ struct PlainUnitSample {
   double axis_u = 0, axis_v = 0;  ///< from one probe to the next
   int probes_log2 = 0;
   double lu = 0, lv = 0;
+  double hu = 0, hv = 0;  ///< of the half-vector; 0 where no effect asks for it
   bool lit = true;
   int draw = 0;
 };

@@ -21,11 +21,16 @@ struct Palettes {
   std::vector<std::array<std::uint32_t, 6>> rgb;   ///< at most 4096
 };
 
+using EffectTable = std::array<std::uint16_t, 256>;
+
 /// Everything that stands in memory and registers before a frame.
 struct UnitState {
   std::vector<Line> memory;
   Palettes palettes;
   std::vector<Draw> draws;  ///< at most kDraws
+  /// A draw's table for effect stages, 12 bits an entry (docs/spec/effects.md); of draws beyond the
+  /// vector's end, all 0.
+  std::vector<EffectTable> tables;
 };
 
 /// A picture of R, G, B, A bytes, [height][width][4].
