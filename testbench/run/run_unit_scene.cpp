@@ -99,7 +99,7 @@ using Children = std::vector<std::pair<std::string, ChildProcess>>;
 
 /// The timed models that the scene names, and loose beside the timing exact.
 Children start_timed_models(const UnitJob& job) {
-  if (names(job.scene, "rtl")) check_unit_variant(job);
+  if (names(job.scene, "rtl")) prepare_unit_variant(job);
   Children children;
   for (const std::string model : {"pipeline", "loose", "rtl"}) {
     if (names(job.scene, model == "loose" ? "pipeline" : model)) {
