@@ -20,10 +20,12 @@ Json config_json(const reference::UnitConfig& config) {
 Json name_or_null(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
 
 Json draw_json(const UnitDraw& draw) {
-  return {{"object", draw.object},
-          {"texture", name_or_null(draw.texture)},
-          {"color", name_or_null(draw.color)},
-          {"cycles_per_pixel", draw.cycles_per_pixel}};
+  Json json = {{"object", draw.object},
+               {"texture", name_or_null(draw.texture)},
+               {"color", name_or_null(draw.color)},
+               {"cycles_per_pixel", draw.cycles_per_pixel}};
+  if (!draw.effects.empty()) json["effects"] = draw.effects;
+  return json;
 }
 
 Json timing_json(const UnitTiming& timing) {
@@ -48,6 +50,7 @@ Json unit_json(const UnitSection& unit) {
                {"timings", Json::object()},
                {"late_pixels", unit.late_pixels},
                {"differing_counters", unit.differing_counters}};
+  if (!unit.effect_blocks.empty()) json["effect_blocks"] = unit.effect_blocks;
   for (const UnitDraw& draw : unit.draws) json["draws"].push_back(draw_json(draw));
   for (const UnitTiming& timing : unit.timings) json["timings"][timing.model] = timing_json(timing);
   return json;
