@@ -17,6 +17,7 @@ const std::regex kStandard("[a-z_0-9]+|sys/[a-z]+\\.h|unistd\\.h");
 const std::regex kOiio("OpenImageIO/.*");
 const std::regex kEigen("Eigen/.*");
 const std::regex kHighway("hwy/.*");
+const std::regex kEffects("effects/[a-z_]+\\.(h|def|inc)");  ///< written by cmake/PtmEffects.cmake
 const std::regex kSystemC("systemc|tlm|tlm_utils/.*");
 
 struct Layer {
@@ -31,9 +32,9 @@ const std::vector<Layer>& layers() {
        {"golden"},
        {kOiio, kEigen, std::regex("charls/.*"), std::regex("turbojpeg\\.h"),
         std::regex("toml\\+\\+/.*"), std::regex("tbb/.*|oneapi/tbb.*")}},
-      {"model/reference", {"model/reference"}, {kEigen, kHighway}},
+      {"model/reference", {"model/reference"}, {kEigen, kHighway, kEffects}},
       {"model/quantize", {"model/quantize", "model/reference"}, {kEigen, kHighway}},
-      {"model/pipeline", {"model/pipeline", "model/reference"}, {kSystemC}},
+      {"model/pipeline", {"model/pipeline", "model/reference"}, {kSystemC, kEffects}},
       {"testbench",
        {"golden", "model", "testbench"},
        {kOiio, kEigen, kHighway, kSystemC, std::regex("CLI/.*"), std::regex("nlohmann/.*"),

@@ -24,7 +24,7 @@ TEST(UnitShade, EqualsTheContractReadWithRationalsOnRandomScenes) {
       ++formats[static_cast<std::size_t>(draw.format)];
       ++combines[static_cast<std::size_t>(draw.combine)];
       const ShadeTrace trace = shade_trace(scene.config, scene.state, f);
-      for (unsigned k = 0; k < kFields; ++k) {
+      for (unsigned k = 0; k < kSetField; ++k) {
         ASSERT_EQ(trace.filtered[k], oracle.field(f, static_cast<int>(k)))
             << "seed " << seed << " field " << k << ": " << tests::describe(f);
       }

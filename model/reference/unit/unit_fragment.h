@@ -35,8 +35,8 @@ struct PlainUnitSample {
 };
 
 /// The one function from plain doubles to a fragment, docs/spec/unit.md, "Fragment". Nothing if a
-/// number is not finite, the light has no code (light_code.h), or x, y, probes_log2 or draw lies
-/// outside its format. Wrap modes are the draw's.
+/// number is not finite, light or half-vector has no code (light_code.h), or x, y, probes_log2 or
+/// draw lies outside its format. Wrap modes are the draw's.
 /// Error     half a unit of 2^-20 on u, v and the axis, half of 2^-8 on lod, where not limited
 [[nodiscard]] std::optional<UnitFragment> quantize_unit_fragment(const EvalConfig& config,
                                                                  const Draw& draw,
