@@ -14,6 +14,9 @@ namespace ptm::testbench {
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base1();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_paper8();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_wide();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_effects();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_specular();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small_effects();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small();
 
 struct RtlUnitVariant {
@@ -23,8 +26,10 @@ struct RtlUnitVariant {
   std::unique_ptr<RtlUnit> (*make)();
 };
 
-/// What ptmsim links. `small` is everything small, so that all that can be full is full, with the
-/// RTL's assertions built in; it is the last.
+/// What ptmsim links. `effects` has all that effects need, `specular` what a half-vector's
+/// highlight does. `small` is everything small, so that all that can be full is full, with the
+/// RTL's assertions built in; it is the last. `small_effects` is that with all that effects need,
+/// one TMU, truncation and fraction bits.
 [[nodiscard]] std::span<const RtlUnitVariant> rtl_unit_variants();
 
 }  // namespace ptm::testbench
