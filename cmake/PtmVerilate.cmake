@@ -29,12 +29,19 @@ target_link_libraries(ptm_verilator_runtime PUBLIC Threads::Threads)
 #              [PARAMETERS Name=value...] [ASSERT] [HARNESS file])
 # - a static library with the C++ class PREFIX of that module, as one translation unit.
 # MODULE: one to be loaded by a running program, which has Verilator's runtime already. LISTS are
-# read after rtl/files.f. ASSERT builds the assertions of ptm_assert.svh in. HARNESS is C++ that
-# joins the unit, so that the compiler can inline the design into what drives it.
+# read after rtl/files.f; stages of effects are found by name, the chain of this build's stages
+# before the one of all. ASSERT builds the assertions of ptm_assert.svh in. HARNESS is C++ that joins
+# the unit, so that the compiler can inline the design into what drives it.
 function(ptm_verilate target)
   cmake_parse_arguments(arg "ASSERT;MODULE" "PREFIX;TOP;HARNESS" "SOURCES;LISTS;PARAMETERS"
     ${ARGN})
   set(lists "")
+  if(arg_LISTS)
+    set(lists -y ${PTM_GENERATED}/rtl -y rtl/effects)
+    if(PTM_EFFECTS_EXTRA)
+      list(APPEND lists -y ${PTM_EFFECTS_EXTRA}/rtl/effects)
+    endif()
+  endif()
   foreach(list IN LISTS arg_LISTS)
     list(APPEND lists -f ${list})
   endforeach()
@@ -45,7 +52,8 @@ function(ptm_verilate target)
   if(arg_ASSERT)
     list(APPEND flags --assert)
   endif()
-  file(GLOB rtl_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*)
+  file(GLOB rtl_files LIST_DIRECTORIES false CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*
+    ${CMAKE_SOURCE_DIR}/rtl/effects/* ${PTM_GENERATED}/rtl/*)
   add_custom_command(
     OUTPUT ${dir}/${arg_PREFIX}.h ${dir}/all.cxx
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${dir}

@@ -89,7 +89,7 @@ module ptm_unit_lookup #(
   for (genvar p = 0; p < 2; p++) begin : gen_parity
     logic        column0, row0;  // column 0 or row 0 has this parity; else it is 1's turn
     logic [8:0]  x, y;           // tx', ty': within the bank
-    logic [12:0] column;
+    logic [13:0] column;
     logic [25:0] row;
     always_comb begin
       {column0, row0, has_column[p], has_row[p]}         = '0;

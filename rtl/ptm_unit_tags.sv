@@ -10,6 +10,7 @@ module ptm_unit_tags #(
   parameter int Sets = 32,  // of a bank
   parameter int Ways = 2,
   localparam int LineBits = ptm_unit_pkg::LineBits,
+  localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits,
   localparam int TakenW   = ptm_unit_front_pkg::TakenW,
   localparam int ReadsW   = ptm_unit_front_pkg::ReadsW
 ) (
@@ -29,7 +30,7 @@ module ptm_unit_tags #(
   input  logic [3:0]              taps_i,
   input  logic [Tmus-1:0]         fetched_i,
   input  logic [Tmus-1:0]         color_i,
-  input  logic [3*Tmus-1:0]       plane_i,
+  input  logic [Tmus*PlaneBits-1:0] plane_i,
   // A rank to the miss ring: lines of the TMUs in miss_valid_o, all or none
   output logic [Tmus-1:0]          miss_valid_o,
   output logic [Tmus*LineBits-1:0] miss_line_o,
@@ -119,10 +120,10 @@ module ptm_unit_tags #(
   logic [Tmus*Tmus*4-1:0] held;  // [holder][misser][bank]
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     // A word's look-ups are its texture's, moved by its plane
-    logic [2:0]            plane;
+    logic [PlaneBits-1:0]  plane;
     logic [4*SetBits-1:0]  hash, low;
     logic [2*LineBits-1:0] row, column;
-    assign plane  = plane_i[t*3 +: 3];
+    assign plane  = plane_i[t*PlaneBits +: PlaneBits];
     assign hash   = color_i[t] ? color_hash : map_hash;
     assign low    = color_i[t] ? color_low : map_low;
     assign row    = color_i[t] ? color_row : map_row;

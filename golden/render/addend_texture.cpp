@@ -34,11 +34,15 @@ MipLevel interleaved(const std::vector<const std::vector<double>*>& sets, int wi
 
 }  // namespace
 
-AddendTexture::AddendTexture(const LoadedTexture& map, const DrawSpec& draw,
+AddendTexture::AddendTexture(const LoadedTexture* map, const DrawSpec& draw,
                              const DrawExtras& extras, bool levels)
-    : extras_(&extras), width_(map.width), height_(map.height) {
+    : extras_(&extras) {
+  if (map) {
+    width_ = map->width;
+    height_ = map->height;
+  }
   for (const EffectPass& pass : extras.passes) {
-    sets_.push_back(pass.set == 0 ? &map.coef
+    sets_.push_back(pass.set == 0 ? &map->coef
                                   : &extras.sets.at(static_cast<std::size_t>(pass.set - 1)));
   }
   for (const EffectSpec& spec : draw.effects) {
@@ -47,7 +51,7 @@ AddendTexture::AddendTexture(const LoadedTexture& map, const DrawSpec& draw,
     add_once(texels_, effect->texel);
     add_once(pixels_, effect->pixel);
   }
-  if (!levels || (width_ == 1 && height_ == 1)) return;
+  if (!levels || sets_.empty() || (width_ == 1 && height_ == 1)) return;
   const std::size_t channels = 6 * sets_.size();
   below_.push_back(halve(interleaved(sets_, width_, height_), channels));
   while (below_.back().width > 1 || below_.back().height > 1) {

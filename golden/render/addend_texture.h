@@ -12,11 +12,12 @@ namespace ptm::golden {
 /// the colour).
 class AddendTexture {
  public:
-  /// Of a draw with extra passes. With `levels` false there is level 0 only. Map and extras must
-  /// stay where they are.
-  AddendTexture(const LoadedTexture& map, const DrawSpec& draw, const DrawExtras& extras,
+  /// Of a draw whose effects change pixels. With `levels` false there is level 0 only. Map and
+  /// extras must stay where they are; without extra passes the map may be null.
+  AddendTexture(const LoadedTexture* map, const DrawSpec& draw, const DrawExtras& extras,
                 bool levels);
 
+  [[nodiscard]] std::size_t passes() const { return sets_.size(); }
   [[nodiscard]] int levels() const { return 1 + static_cast<int>(below_.size()); }
   [[nodiscard]] int width(int level) const;
   [[nodiscard]] int height(int level) const;
@@ -28,7 +29,7 @@ class AddendTexture {
 
  private:
   const DrawExtras* extras_;
-  int width_, height_;
+  int width_ = 0, height_ = 0;
   std::vector<const std::vector<double>*> sets_;  ///< level 0, one a pass, [height][width][6]
   std::vector<MipLevel> below_;                   ///< [height][width][passes][6]
   std::vector<decltype(Effect::texel)> texels_;

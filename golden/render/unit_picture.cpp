@@ -33,6 +33,14 @@ ImageReal picture_of(const UnitScene& scene, std::span<const SurfaceSample> samp
   return image;
 }
 
+/// Whether an effect of the draw does more than change what is loaded or asked.
+bool changes_pixels(const DrawSpec& draw) {
+  return std::any_of(draw.effects.begin(), draw.effects.end(), [](const EffectSpec& spec) {
+    const Effect* effect = find_effect(spec.effect);
+    return effect && effect->pixel;
+  });
+}
+
 }  // namespace
 
 Rgb combine_colors(const DrawSpec& draw, const Rgba& lit, const Rgba& color) {
@@ -77,9 +85,9 @@ UnitRenderer::UnitRenderer(const UnitScene& scene, const LoadedTextures& texture
   for (const DrawSpec& draw : scene.draws) color_lods_.push_back(color_lod(draw, textures));
   for (std::size_t d = 0; d < extras.size(); ++d) {
     addends_.emplace_back();
-    if (extras[d].passes.empty()) continue;
     const DrawSpec& draw = scene.draws[d];
-    addends_.back().emplace(textures[index(draw.map)], draw, extras[d],
+    if (!changes_pixels(draw)) continue;
+    addends_.back().emplace(draw.map >= 0 ? &textures[index(draw.map)] : nullptr, draw, extras[d],
                             draw.filter.mip != MipMode::none);
   }
 }
@@ -94,9 +102,10 @@ Rgb UnitRenderer::combined(const SurfaceSample& sample, const std::array<double,
     color = ask(mips_[index(draw.color)], draw, color_lods_[index(sample.draw)]);
   }
   const Rgb plain = combine_colors(draw, lit, color);
-  if (addends_.empty() || !addends_[index(sample.draw)] || !sample.lit) return plain;
+  if (addends_.empty() || !addends_[index(sample.draw)]) return plain;
   const AddendTexture& addend = *addends_[index(sample.draw)];
-  return addend.pixel(ask(AddendView{&addend, half}, draw, 0), plain);
+  const bool adds = addend.passes() > 0 && sample.lit;
+  return addend.pixel(adds ? ask(AddendView{&addend, half}, draw, 0) : Rgba{}, plain);
 }
 
 Rgb UnitRenderer::shade(const SurfaceSample& sample, const std::array<double, 2>& light,

@@ -18,6 +18,7 @@ struct UnitFrameStream {
 
 struct UnitSimulation {
   reference::UnitConfig unit;
+  reference::EvalConfig eval;  ///< only multiplies_effects looks at it
   /// Draws and memory. An empty memory answers with nothing but its time: enough for all that these
   /// models give, since their pixels are the reference's.
   const reference::UnitState* state = nullptr;

@@ -32,6 +32,8 @@ Json timing_json(const UnitTiming& timing) {
   Json counters = Json::object();
   for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
     if (!knows(timing, n)) continue;
+    const bool effects = n == static_cast<std::size_t>(reference::UnitCounter::multiplies_effects);
+    if (effects && timing.counters.value[n] == 0) continue;
     counters[std::string(reference::unit_counter_names()[n])] = timing.counters.value[n];
   }
   return {{"seconds", timing.seconds},

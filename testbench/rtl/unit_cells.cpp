@@ -10,6 +10,7 @@
 #include <string>
 
 #include "testbench/rtl/command.h"
+#include "testbench/rtl/variant_build.h"
 #include "testbench/rtl/variant_cache.h"
 
 namespace ptm::testbench {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// The files of a list, each with the root before it.
 std::string sources(const char* list) {
-  const fs::path root = PTM_SOURCE_ROOT;
+  const fs::path root = variant_build().source_root;
   std::ifstream file(root / list);
   std::string text;
   for (std::string line; std::getline(file, line);) {
@@ -35,10 +36,17 @@ std::string hex(int value) {
   return text.data();
 }
 
+/// The stages of effects and their chain.
+std::string effect_sources() {
+  std::string text;
+  for (const std::string& file : variant_build().effect_files) text += " \"" + file + "\"";
+  return text;
+}
+
 std::string script(const std::vector<std::string>& parameters) {
-  const std::string root = PTM_SOURCE_ROOT;
+  const std::string& root = variant_build().source_root;
   std::string text = "read_verilog -sv \"-I" + root + "/rtl\"" + sources("rtl/files.f") +
-                     sources("rtl/unit.f") + "; chparam";
+                     sources("rtl/unit.f") + effect_sources() + "; chparam";
   for (const std::string& parameter : parameters) {
     const std::size_t at = parameter.find('=');
     text += " -set " + parameter.substr(0, at) + " " + hex(std::stoi(parameter.substr(at + 1)));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/reference/effects/stages.h"
 #include "testbench/rtl/variant_cache.h"
 
 namespace ptm::testbench {
@@ -22,16 +23,36 @@ constexpr reference::UnitConfig kSmallUnit{.tmus = 3,
                                            .palette_rgb_ports = 2,
                                            .eval_lanes = 3};
 
+constexpr reference::EvalConfig kSmallEffects{
+    .rounding = reference::Rounding::truncate, .lum_frac = 4, .shift_groups = 3, .filter_frac = 2};
+using reference::effects::kStages;
+constexpr reference::UnitConfig with_effects(reference::UnitConfig unit, int sets, int passes,
+                                             unsigned stages) {
+  unit.extra_sets = sets;
+  unit.extra_passes = passes;
+  unit.half_vector = true;
+  unit.stages = stages;
+  return unit;
+}
+constexpr reference::UnitConfig one_tmu(reference::UnitConfig unit) {
+  unit.tmus = 1;
+  return unit;
+}
+
 using reference::kBase;
 using reference::kPaper8;
 using reference::kWide;
 
-const std::array<RtlUnitVariant, 6> kUnits{
+const std::array<RtlUnitVariant, 9> kUnits{
     {{"base3", kBase, {}, make_rtl_unit_base3},
      {"base2", kBase, {.tmus = 2}, make_rtl_unit_base2},
      {"base1", kBase, {.tmus = 1}, make_rtl_unit_base1},
      {"paper8", kPaper8, {}, make_rtl_unit_paper8},
      {"wide", kWide, {}, make_rtl_unit_wide},
+     {"effects", kBase, with_effects({}, 4, 4, kStages), make_rtl_unit_effects},
+     {"specular", kBase, with_effects({}, 0, 1, kStages & 5U), make_rtl_unit_specular},
+     {"small_effects", kSmallEffects, with_effects(one_tmu(kSmallUnit), 4, 4, kStages),
+      make_rtl_unit_small_effects},
      {"small", kSmallGroups, kSmallUnit, make_rtl_unit_small}}};
 
 /// A library's unit, which must not outlive the library: libraries are never closed.

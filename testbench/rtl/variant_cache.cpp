@@ -1,5 +1,7 @@
 #include "testbench/rtl/variant_cache.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,8 +12,10 @@
 #include <iomanip>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "testbench/rtl/command.h"
+#include "testbench/rtl/variant_build.h"
 
 namespace ptm::testbench {
 namespace {
@@ -59,16 +63,17 @@ void add_folder(const fs::path& folder, Digest& digest) {
 }
 
 std::string key_of(const std::vector<std::string>& parameters) {
-  const fs::path root = PTM_SOURCE_ROOT;
+  const VariantBuild& build = variant_build();
+  const fs::path root = build.source_root;
   Digest digest;
   for (const std::string& parameter : parameters) digest.add(parameter);
-  digest.add(PTM_VARIANT_TOOLS);
-  digest.add(PTM_VARIANT_OPTIONS);
+  digest.add(build.tools);
+  for (const std::string& option : build.options) digest.add(option);
   for (const char* folder :
        {"rtl", "testbench/sv", "testbench/rtl", "model/reference", "model/pipeline", "cmake"}) {
     add_folder(root / folder, digest);
   }
-  add_file(PTM_EFFECTS_TABLE, digest);
+  for (const std::string& file : build.effect_files) add_file(file, digest);
   return digest.text();
 }
 
@@ -122,6 +127,22 @@ class Workplace {
   fs::path path_;
 };
 
+/// While it stands, no other program builds the same library.
+class BuildLock {
+ public:
+  explicit BuildLock(const fs::path& file) : file_(open(file.c_str(), O_RDWR | O_CREAT, 0644)) {
+    if (file_ < 0 || flock(file_, LOCK_EX) != 0) {
+      throw std::system_error(errno, std::generic_category(), file.string());
+    }
+  }
+  ~BuildLock() { close(file_); }
+  BuildLock(const BuildLock&) = delete;
+  BuildLock& operator=(const BuildLock&) = delete;
+
+ private:
+  int file_;
+};
+
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
@@ -172,18 +193,21 @@ fs::path build_variant(const reference::EvalConfig& config, const reference::Uni
   need("cmake", "cmake");
   need("verilator", "verilator");
   need("c++", "g++");
+  fs::create_directories(library.parent_path());
+  const BuildLock lock(library.string() + ".lock");
+  if (fs::exists(library)) return library;  // another program was faster
   const std::vector<std::string> parameters = rtl_parameters(config, unit);
   if (say) say("building an RTL unit, once: " + joined(parameters, " "));
   const Workplace work(library.string() + "." + std::to_string(getpid()));
   const fs::path log = work.path() / "log";
   std::vector<std::string> configure{"cmake",
                                      "-S",
-                                     PTM_SOURCE_ROOT,
+                                     variant_build().source_root,
                                      "-B",
                                      (work.path() / "build").string(),
                                      "-DPTM_VARIANT=" + joined(parameters, ";")};
-  std::istringstream options(PTM_VARIANT_OPTIONS);
-  for (std::string option; std::getline(options, option, '|');) configure.push_back(option);
+  const std::vector<std::string>& options = variant_build().options;
+  configure.insert(configure.end(), options.begin(), options.end());
   run_tool(configure, log);
   run_tool({"cmake", "--build", (work.path() / "build").string(), "--target", "ptm_variant"}, log);
   fs::rename(work.path() / "build" / "ptm_variant.so", library);

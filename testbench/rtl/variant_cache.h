@@ -29,8 +29,8 @@ class MissingTool : public std::runtime_error {
 [[nodiscard]] std::filesystem::path variant_library(const reference::EvalConfig& config,
                                                     const reference::UnitConfig& unit);
 
-/// Builds the library if it is not there; `say` is told before that takes its minute. Two programs
-/// that build the same one do not disturb each other: the last finished stays. Throws MissingTool,
+/// Builds the library if it is not there; `say` is told before that takes its minute. Of two
+/// programs that want the same one, one waits for the other. Throws MissingTool,
 /// and std::runtime_error with the end of the tools' output if they fail.
 std::filesystem::path build_variant(const reference::EvalConfig& config,
                                     const reference::UnitConfig& unit,

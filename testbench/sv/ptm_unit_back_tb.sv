@@ -160,7 +160,7 @@ module ptm_unit_back_tb #(
     beat.probes_log2   = probes_log2_i;
     beat.first_probe   = first_probe_i;
     beat.second        = second_i;
-    beat.group         = group_i;
+    beat.group         = ptm_unit_pkg::GroupBits'(group_i);
     beat.ptm.wu        = wu_i[0];
     beat.ptm.wv        = wv_i[0];
     beat.ptm.f         = f_i[0];
@@ -180,7 +180,7 @@ module ptm_unit_back_tb #(
 
   logic [23:0] pix_rgb;
   logic [2:0]  inc_palette, inc_combine;
-  logic [4:0]  inc_eval;
+  logic [5:0]  inc_eval;
   assign pix_rgb_o                = 32'(pix_rgb);
   assign {pix_x_o[15:14], pix_y_o[15:14]} = '0;
   assign inc_palette_o            = 8'(inc_palette);

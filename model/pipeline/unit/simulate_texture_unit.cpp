@@ -41,7 +41,7 @@ void simulate_texture_unit(const UnitSimulation& simulation) {
   const sc_core::sc_time clock(1, sc_core::SC_NS);
   MemoryTarget memory("memory", make_memory(simulation.memory), simulation.state->memory, clock);
   TextureUnit unit("unit", simulation.unit, simulation.state->draws, simulation.timing,
-                   simulation.fault, clock);
+                   simulation.fault, clock, simulation.eval);
   unit.memory.socket.bind(memory.socket);
   UnitSource source("source", simulation, unit, memory, clock);
   // Warnings are errors: a model that SystemC doubts is not a model to quote.
