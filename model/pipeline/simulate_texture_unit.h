@@ -27,6 +27,8 @@ struct UnitSimulation {
   MemoryModel memory = FixedMemory{};
   std::optional<MemoryFault> fault;
   Cycle patience = kPatience;
+  /// If set, told the names of the SystemC modules that were elaborated for this run, before it.
+  std::function<void(const std::vector<std::string>& modules)> elaborated;
 };
 
 /// Timing `exact`: every pixel's cycle and every counter are the RTL's (docs/spec/unit-timing.md).

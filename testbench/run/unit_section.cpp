@@ -75,7 +75,8 @@ std::vector<std::string> differing_counters(const UnitTimed& a, const UnitTimed&
 double warm_cycles_per_pixel(const UnitJob& job, int draw) {
   const reference::Draw& d = job.state.draws[static_cast<std::size_t>(draw)];
   const int groups = (draw_words(d) + job.unit.tmus - 1) / job.unit.tmus;
-  const int passes = (draw_passes(d) + job.unit.eval_lanes - 1) / job.unit.eval_lanes;
+  const int own = (draw_passes(d) + job.unit.eval_lanes - 1) / job.unit.eval_lanes;
+  const int passes = own + d.effects.passes;
   double sum = 0, count = 0;
   for (const UnitFrameInput& frame : job.frames) {
     for (const reference::UnitFragment& fragment : frame.fragments) {

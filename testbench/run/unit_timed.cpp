@@ -128,6 +128,7 @@ void simulate(const UnitJob& job, const std::string& model, ResultFile& file) {
 pipeline::UnitSimulation unit_simulation(const UnitJob& job) {
   pipeline::UnitSimulation simulation;
   simulation.unit = job.unit;
+  simulation.eval = job.config;
   simulation.state = &job.state;
   simulation.timing = job.timing;
   simulation.memory = job.memory;
