@@ -53,8 +53,17 @@ class UnitSceneMaker {
     out.config = built_for;
     fill_palettes(out);
     if (with_effects_) build_effects(out.unit);
-    for (int d = 0; d < draws; ++d) add_draw(out);
-    return out;
+    return add_draws(std::move(out), draws);
+  }
+  /// With effects, of which that unit has what they need.
+  UnitScene scene(const reference::EvalConfig& built_for, const reference::UnitConfig& unit,
+                  int draws = 4) {
+    UnitScene out;
+    out.config = built_for;
+    out.unit = unit;
+    with_effects_ = true;
+    fill_palettes(out);
+    return add_draws(std::move(out), draws);
   }
 
   /// Any fragment of a format's range, extremes often.
@@ -85,6 +94,11 @@ class UnitSceneMaker {
   int in(int low, int high) { return std::uniform_int_distribution(low, high)(rng_); }
 
  private:
+  UnitScene add_draws(UnitScene out, int draws) {
+    for (int d = 0; d < draws; ++d) add_draw(out);
+    return out;
+  }
+
   void build_effects(reference::UnitConfig& unit) {
     unit.extra_passes = in(0, reference::kExtraPasses);
     unit.extra_sets = in(0, unit.extra_passes);

@@ -21,6 +21,15 @@ inline std::vector<testbench::RtlUnitVariant> unit_variants() {
   return {variants.begin(), variants.end()};
 }
 
+/// Those with something that effects need.
+inline std::vector<testbench::RtlUnitVariant> effect_variants() {
+  std::vector<testbench::RtlUnitVariant> out;
+  for (const auto& variant : unit_variants()) {
+    if (variant.unit.extra_passes > 0) out.push_back(variant);
+  }
+  return out;
+}
+
 /// Fragments that jump, and runs of them that walk, so that lines are missed and hit.
 inline std::vector<reference::UnitFragment> random_fragments(UnitSceneMaker& make,
                                                              const UnitScene& scene,
