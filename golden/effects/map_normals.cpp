@@ -91,9 +91,14 @@ Coefficients luma_polynomial(const LoadedTexture& map, std::size_t texel) {
   return a;
 }
 
-std::array<double, 3> normal_of(const Coefficients&, const Peak& peak) {
-  const auto [u, v] = peak.light;
-  return {u, v, std::sqrt(std::max(0.0, 1 - u * u - v * v))};
+std::array<double, 3> normal_of(const Coefficients& a, const Peak& peak) {
+  if (peak.kind == PeakKind::inside || peak.kind == PeakKind::ridge) {
+    const auto [u, v] = peak.light;
+    return {u, v, std::sqrt(std::max(0.0, 1 - u * u - v * v))};
+  }
+  const double w = std::max(0.0, a[5]), length = std::hypot(a[3], a[4], w);
+  if (!(length > 0)) return {0, 0, 1};
+  return {a[3] / length, a[4] / length, w / length};
 }
 
 MapNormals map_normals(const LoadedTexture& map) {

@@ -38,8 +38,14 @@ struct Peak {
 /// The polynomial of a texel's luminance: LRGB its own, RGB 0.299 R + 0.587 G + 0.114 B.
 [[nodiscard]] Coefficients luma_polynomial(const LoadedTexture& map, std::size_t texel);
 
-/// A texel's unit normal (u right, v up, w to the viewer). Eq. 18 where there is a maximum inside,
-/// else see docs/design/effects.md.
+/// A texel's unit normal (u right, v up, w to the viewer).
+///
+///     inside, ridge   (lu0, lv0, sqrt(1 - lu0^2 - lv0^2))                      (Eq. 18)
+///     else            (a3, a4, max(0, a5)) / |.|,  (0, 0, 1) if that has no length
+///
+/// The second is the dot product k N.L that has the polynomial's value and slope under a light at
+/// the zenith. On `dome` such texels' normals are off by 19 degrees that way and by 54 if the rim's
+/// brightest point is taken for the normal (docs/design/effects.md).
 [[nodiscard]] std::array<double, 3> normal_of(const Coefficients& a, const Peak& peak);
 
 struct MapNormals {
