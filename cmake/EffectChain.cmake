@@ -3,7 +3,7 @@
 #   PTM_CHAIN_TABLE  the table (testbench/plan/effects.def, or what a build leaves of it)
 #   PTM_CHAIN        the file
 #
-# rtl/CMakeLists.txt includes it for the build; for the whole table, which is committed:
+# cmake/PtmEffects.cmake includes it for the build; for the whole table, which is committed:
 #   cmake -D PTM_CHAIN_TABLE=testbench/plan/effects.def \
 #     -D PTM_CHAIN=rtl/effects/ptm_effect_chain.sv -P cmake/EffectChain.cmake
 set(stages "")

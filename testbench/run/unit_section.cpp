@@ -94,6 +94,11 @@ UnitSection make_unit_section(const UnitJob& job, const std::vector<UnitTimed>& 
   UnitSection section;
   section.config = job.unit;
   section.memory = describe(job.memory);
+  for (const PlannedBlock& block : job.plan.blocks) {
+    std::string who;
+    for (const std::string& name : block.effects) who += (who.empty() ? "" : ", ") + name;
+    section.effect_blocks.push_back(block.what + " (" + block.name + ") for " + who);
+  }
   std::uint64_t cycles = 0;
   for (const UnitTimed& model : timed) {
     cycles = std::max(cycles, total_counters(model)[reference::UnitCounter::cycles]);
@@ -102,7 +107,7 @@ UnitSection make_unit_section(const UnitJob& job, const std::vector<UnitTimed>& 
   for (std::size_t d = 0; d < job.scene.draws.size(); ++d) {
     const golden::DrawSpec& spec = job.scene.draws[d];
     section.draws.push_back({"draw " + std::to_string(d), texture_name(job, spec.map),
-                             texture_name(job, spec.color),
+                             texture_name(job, spec.color), job.plan.draws[d].effects,
                              warm_cycles_per_pixel(job, static_cast<int>(d))});
   }
   for (const UnitTimed& model : timed) {

@@ -136,7 +136,7 @@ pipeline::UnitSimulation unit_simulation(const UnitJob& job) {
 }
 
 ChildProcess start_unit_model(const UnitJob& job, const std::string& model) {
-  if (model == "rtl") check_unit_variant(job);
+  if (model == "rtl") prepare_unit_variant(job);
   return {"the " + model + " model",
           [&job, model](ResultFile& file) { simulate(job, model, file); }};
 }

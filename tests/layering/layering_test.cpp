@@ -29,7 +29,7 @@ struct Layer {
 const std::vector<Layer>& layers() {
   static const std::vector<Layer> all{
       {"golden",
-       {"golden"},
+       {"golden", "effects"},  // effects/ is what the build writes from the table of effects
        {kOiio, kEigen, std::regex("charls/.*"), std::regex("turbojpeg\\.h"),
         std::regex("toml\\+\\+/.*"), std::regex("tbb/.*|oneapi/tbb.*")}},
       {"model/reference", {"model/reference"}, {kEigen, kHighway, kEffects}},
