@@ -24,10 +24,18 @@ int first_stage(const std::vector<EffectSpec>& effects) {
   return first;
 }
 
+bool brings_color(const DrawSpec& draw) {
+  return std::any_of(draw.effects.begin(), draw.effects.end(), [](const EffectSpec& spec) {
+    const golden::Effect* effect = golden::find_effect(spec.effect);
+    return effect && effect->brings_color;
+  });
+}
+
 /// Takes an effect from a draw. A stage behind the first only changes what the first made: an
 /// effect of such stages goes too if nothing is left that begins the chain.
 void take_effect(const std::string& effect, DrawSpec& draw, std::vector<std::string>& together) {
   const int began = first_stage(draw.effects);
+  const bool brought = draw.color < 0 && brings_color(draw);
   std::erase_if(draw.effects, [&](const EffectSpec& spec) { return spec.effect == effect; });
   if (first_stage(draw.effects) > began) {
     std::erase_if(draw.effects, [&](const EffectSpec& spec) {
@@ -38,8 +46,8 @@ void take_effect(const std::string& effect, DrawSpec& draw, std::vector<std::str
       return true;
     });
   }
-  // The effect may have brought what was combined.
-  if (draw.color < 0) draw.combine = golden::CombineMode::none;
+  // What was combined may be gone.
+  if (brought && !brings_color(draw)) draw.combine = golden::CombineMode::none;
 }
 
 /// Draws that agree become one.

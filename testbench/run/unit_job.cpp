@@ -1,5 +1,6 @@
 #include "testbench/run/unit_job.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/reference/light_code.h"
@@ -141,7 +142,10 @@ UnitJob make_unit_job(const UnitScene& scene) {
   job.textures = golden::load_textures(scene);
   job.extras = golden::prepare_effects(job.scene, job.textures);
   for (const golden::DrawExtras& extras : job.extras) {
-    job.notes.insert(job.notes.end(), extras.notes.begin(), extras.notes.end());
+    for (const std::string& note : extras.notes) {  // several effects may say the same of a map
+      const bool said = std::find(job.notes.begin(), job.notes.end(), note) != job.notes.end();
+      if (!said) job.notes.push_back(note);
+    }
   }
   job.plan = plan_scene(job.scene, job.textures, job.extras, job.config, unit_config(scene));
   job.unit = job.plan.unit;
