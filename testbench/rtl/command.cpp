@@ -21,13 +21,15 @@ bool find_program(const std::string& name) {
   return false;
 }
 
-int run_command(const std::vector<std::string>& command, const std::filesystem::path& log) {
+int run_command(const std::vector<std::string>& command, const std::filesystem::path& log,
+                const std::filesystem::path& folder) {
   std::vector<std::string> words = command;
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
                                    0644);
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);

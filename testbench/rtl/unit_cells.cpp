@@ -18,13 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a list, each with the root before it.
+/// The files of a list, as seen from the root.
 std::string sources(const char* list) {
-  const fs::path root = variant_build().source_root;
-  std::ifstream file(root / list);
+  std::ifstream file(fs::path(variant_build().source_root) / list);
   std::string text;
   for (std::string line; std::getline(file, line);) {
-    if (!line.empty() && line.rfind("//", 0) != 0) text += " \"" + (root / line).string() + "\"";
+    if (!line.empty() && line.rfind("//", 0) != 0) text += " " + line;
   }
   return text;
 }
@@ -44,9 +43,8 @@ std::string effect_sources() {
 }
 
 std::string script(const std::vector<std::string>& parameters) {
-  const std::string& root = variant_build().source_root;
-  std::string text = "read_verilog -sv \"-I" + root + "/rtl\"" + sources("rtl/files.f") +
-                     sources("rtl/unit.f") + effect_sources() + "; chparam";
+  std::string text = "read_verilog -sv -Irtl" + sources("rtl/files.f") + sources("rtl/unit.f") +
+                     effect_sources() + "; chparam";
   for (const std::string& parameter : parameters) {
     const std::size_t at = parameter.find('=');
     text += " -set " + parameter.substr(0, at) + " " + hex(std::stoi(parameter.substr(at + 1)));
@@ -83,7 +81,8 @@ UnitCells count_unit_cells(const reference::EvalConfig& config, const reference:
   }
   const fs::path log =
       fs::temp_directory_path() / ("ptmsim-cells-" + std::to_string(getpid()) + ".log");
-  const int status = run_command({"yosys", "-p", script(rtl_parameters(config, unit))}, log);
+  const int status = run_command({"yosys", "-p", script(rtl_parameters(config, unit))}, log,
+                                 variant_build().source_root);
   const UnitCells counts = read_counts(log);
   fs::remove(log);
   if (status != 0 || counts.cells == 0) throw std::runtime_error("yosys failed to read the RTL");

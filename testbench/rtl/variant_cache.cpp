@@ -52,11 +52,13 @@ void add_file(const fs::path& path, Digest& digest) {
   digest.add(content.str());
 }
 
-/// Every file below a folder, in an order that does not depend on the file system.
-void add_folder(const fs::path& folder, Digest& digest) {
+/// Every file below a folder whose name ends so, in an order that does not depend on the file
+/// system.
+void add_folder(const fs::path& folder, std::string_view end, Digest& digest) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
+    const bool wanted = entry.path().string().ends_with(end);
+    if (wanted && entry.is_regular_file()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) add_file(file, digest);
@@ -69,10 +71,12 @@ std::string key_of(const std::vector<std::string>& parameters) {
   for (const std::string& parameter : parameters) digest.add(parameter);
   digest.add(build.tools);
   for (const std::string& option : build.options) digest.add(option);
-  for (const char* folder :
-       {"rtl", "testbench/sv", "testbench/rtl", "model/reference", "model/pipeline", "cmake"}) {
-    add_folder(root / folder, digest);
+  for (const char* folder : {"rtl", "testbench/sv"}) add_folder(root / folder, "", digest);
+  for (const char* folder : {"testbench/rtl", "model/reference", "model/pipeline"}) {
+    add_folder(root / folder, ".h", digest);  // what the harness includes
   }
+  add_file(root / "cmake/PtmVerilate.cmake", digest);
+  add_file(root / "testbench/rtl/unit_variant.cpp.in", digest);
   for (const std::string& file : build.effect_files) add_file(file, digest);
   return digest.text();
 }
