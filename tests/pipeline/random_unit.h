@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/pipeline/unit_run.h"
+#include "model/reference/effects/stages.h"
 
 namespace ptm::tests {
 
@@ -56,7 +57,7 @@ struct RandomUnit {
     unit.extra_passes = pick({0, 1, 2, 4});
     unit.extra_sets = below(unit.extra_passes + 1);
     unit.half_vector = unit.extra_passes > 0 && one_in(2);
-    unit.stages = static_cast<unsigned>(seed % 8);
+    unit.stages = static_cast<unsigned>(seed % 8) & reference::effects::kStages;
     eval.lum_frac = pick({0, 4});
   }
 

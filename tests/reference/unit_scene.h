@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/reference/effects/power_table.h"
+#include "model/reference/effects/stages.h"
 #include "model/reference/unit/unit_fragment.h"
 #include "model/reference/unit/unit_memory.h"
 #include "tests/reference/random_config.h"
@@ -104,6 +105,7 @@ class UnitSceneMaker {
     unit.extra_sets = in(0, unit.extra_passes);
     unit.half_vector = unit.extra_passes > 0 && in(0, 1) != 0;
     unit.stages = static_cast<unsigned>(in(0, 2) != 0 ? 7 : in(0, 7));
+    unit.stages &= reference::effects::kStages;  // of a build without some
   }
 
   /// What a draw uses of what there is, and its table.

@@ -5,7 +5,7 @@
 namespace ptm::pipeline::effects {
 
 /// Registers behind the combine stage of a unit built with these stages.
-[[nodiscard]] constexpr int chain_registers(unsigned stages) {
+[[nodiscard]] constexpr int chain_registers([[maybe_unused]] unsigned stages) {
   int registers = 0;
 #define PTM_REGISTERS(id) \
   if ((stages & reference::effects::stage_bit(#id)) != 0) registers += id::registers;

@@ -49,7 +49,8 @@ static_assert(
 
 /// The stages that act on the draw, in the order of their numbers; the others change nothing.
 template <class Int>
-constexpr void apply_stages(const StageInput<Int>& in, StagePixel<Int>& pixel) {
+constexpr void apply_stages([[maybe_unused]] const StageInput<Int>& in,
+                            [[maybe_unused]] StagePixel<Int>& pixel) {
 #define PTM_APPLY(id) \
   if ((in.draw.effects.stages & stage_bit(#id)) != 0) id::apply(in, pixel);
   PTM_REFERENCE_STAGES(PTM_APPLY)
@@ -57,7 +58,8 @@ constexpr void apply_stages(const StageInput<Int>& in, StagePixel<Int>& pixel) {
 }
 
 /// multiplies_effects of a fragment of the draw: docs/spec/effects.md, "Multiplies".
-[[nodiscard]] constexpr unsigned stage_multiplies(const EvalConfig& config, const Draw& draw) {
+[[nodiscard]] constexpr unsigned stage_multiplies([[maybe_unused]] const EvalConfig& config,
+                                                  [[maybe_unused]] const Draw& draw) {
   unsigned sum = 0;
 #define PTM_COUNT(id) \
   if ((draw.effects.stages & stage_bit(#id)) != 0) sum += id::multiplies(config, draw);
