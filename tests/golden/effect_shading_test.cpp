@@ -88,6 +88,12 @@ TEST_F(Effects, HaveNoHalfVectorWhereNoneAsksAndZeroWhereThereIsNone) {
     EXPECT_FALSE(s.lit);
     EXPECT_EQ(added(s), (Rgb{})) << "light behind the surface adds nothing";
   }
+  // Rounding leaves a sum of no length to speak of, which has no direction either.
+  prepare(kDark +
+          "[image]\nsize = [9, 9]\n[camera]\northographic = true\nposition = [1.1, -3.1, 0.7]\n"
+          "[[object]]\nkind = \"plane\"\ntexture = \"m\"\nrotate = [10, 20, 30]\n" +
+          effect("half-vector") + "[[light]]\ndirection = [-1.1, 3.1, -0.7]\n");
+  for (const SurfaceSample& s : samples_) EXPECT_EQ(s.half, (std::array<double, 2>{}));
   // Grazing on both sides.
   prepare(kDark + kSquare + effect("half-vector") + "[[light]]\ndirection = [1, 0, 0]\n");
   for (const SurfaceSample& s : samples_) {
