@@ -12,7 +12,6 @@ void prepare(const EffectSpec& spec, EffectDraw& draw) {
   if (!draw.map()) fail_effect(spec, draw, "no map", "an object with 'texture'");
   const double gain = effect_number(spec, "gain");
   LoadedTexture& map = draw.change_map();
-  map.name += ", gain";
   std::size_t without = 0;
   const auto polynomials = static_cast<std::size_t>(map.polynomials);
   for (std::size_t t = 0; t < map.texels(); ++t) {
@@ -26,8 +25,8 @@ void prepare(const EffectSpec& spec, EffectDraw& draw) {
       std::copy(bent.begin(), bent.end(), coef);
     }
   }
-  const std::string note = without_maximum_note(map, without);
-  if (!note.empty()) draw.extras.notes.push_back(note);
+  note_without_maximum(draw, without);
+  map.name += ", gain";
 }
 
 }  // namespace

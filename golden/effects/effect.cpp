@@ -4,6 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "golden/effects/map_normals.h"
+
 namespace ptm::golden {
 
 // A function an effect rather than an object: none is built before it is asked for.
@@ -43,6 +45,13 @@ double effect_number(const EffectSpec& spec, const char* key) {
 void fail_effect(const EffectSpec& spec, const EffectDraw& draw, const std::string& found,
                  const std::string& expected) {
   throw InputError(draw.scene.file.string(), spec.place, spec.effect + ": " + found, expected);
+}
+
+void note_without_maximum(EffectDraw& draw, std::size_t count) {
+  if (count == 0) return;
+  auto& notes = draw.extras.notes;
+  std::string note = without_maximum_note(*draw.map(), count);
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
 }
 
 const LoadedTexture* EffectDraw::map() const {

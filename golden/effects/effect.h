@@ -107,6 +107,10 @@ struct Effect {
 [[noreturn]] void fail_effect(const EffectSpec& spec, const EffectDraw& draw,
                               const std::string& found, const std::string& expected);
 
+/// Notes how many texels of a draw's map have no maximum inside, unless all have one or it is
+/// noted already.
+void note_without_maximum(EffectDraw& draw, std::size_t count);
+
 /// Lets every draw's effects prepare it: draws whose map or colour changed get a texture of their
 /// own, appended to scene and textures. Returns the extras, one a draw; a draw without effects has
 /// none. A scene without effects stays as it is. Throws InputError: an effect that its object's

@@ -123,7 +123,6 @@ MapNormals map_normals(const LoadedTexture& map) {
 }
 
 std::string without_maximum_note(const LoadedTexture& map, std::size_t count) {
-  if (count == 0) return {};
   return std::to_string(count) + " of " + std::to_string(map.texels()) + " texels of '" + map.name +
          "' have no maximum within the disc of lights";
 }

@@ -55,7 +55,7 @@ struct MapNormals {
 /// Of every texel. Runs on all cores.
 [[nodiscard]] MapNormals map_normals(const LoadedTexture& map);
 
-/// "123 of 456 texels of 'name' have no maximum within the disc of lights"; empty if all have.
+/// "123 of 456 texels of 'name' have no maximum within the disc of lights"
 [[nodiscard]] std::string without_maximum_note(const LoadedTexture& map, std::size_t count);
 
 }  // namespace ptm::golden

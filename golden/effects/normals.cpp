@@ -19,8 +19,7 @@ void prepare(const EffectSpec& spec, EffectDraw& draw) {
     picture.rgba.push_back(255);
   }
   draw.new_color = std::move(picture);
-  const std::string note = without_maximum_note(*map, normals.without_maximum);
-  if (!note.empty()) draw.extras.notes.push_back(note);
+  note_without_maximum(draw, normals.without_maximum);
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ void prepare(const EffectSpec& spec, EffectDraw& draw) {
     for (const double a : touching_polynomial(normal)) set.push_back(255 * a);
   }
   add_specular_term(spec, draw, static_cast<int>(draw.extras.sets.size()));
-  const std::string note = without_maximum_note(*map, normals.without_maximum);
-  if (!note.empty()) draw.extras.notes.push_back(note);
+  note_without_maximum(draw, normals.without_maximum);
 }
 
 }  // namespace

@@ -59,23 +59,35 @@ Layer layer_of(const TextureSpec& spec, std::size_t which) {
   return layer;
 }
 
-/// The mean over a disc about each pixel; the edge's pixels go on beyond it.
+/// Sums of a row's pixels from its left edge on, one more than there are pixels.
+Layer running_sums(const Layer& layer, int width, int height) {
+  Layer sums;
+  sums.reserve(layer.size() + static_cast<std::size_t>(height));
+  for (std::size_t p = 0; p < layer.size(); ++p) {
+    if (p % static_cast<std::size_t>(width) == 0) sums.push_back({});
+    Pixel next = sums.back();
+    for (std::size_t c = 0; c < 4; ++c) next[c] += layer[p][c];
+    sums.push_back(next);
+  }
+  return sums;
+}
+
+/// The mean over a disc about each pixel, as far as the picture goes.
 Layer blurred(const Layer& layer, int width, int height, double radius) {
   const int reach = static_cast<int>(radius);
   if (reach == 0) return layer;
+  const Layer sums = running_sums(layer, width, height);
   Layer out(layer.size());
   tbb::parallel_for(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       Pixel sum{};
       double count = 0;
-      for (int dy = -reach; dy <= reach; ++dy) {
-        for (int dx = -reach; dx <= reach; ++dx) {
-          if (dx * dx + dy * dy > radius * radius) continue;
-          const int sx = std::clamp(x + dx, 0, width - 1), sy = std::clamp(y + dy, 0, height - 1);
-          const Pixel& p = layer[static_cast<std::size_t>(sy * width + sx)];
-          for (std::size_t c = 0; c < 4; ++c) sum[c] += p[c];
-          count += 1;
-        }
+      for (int row = std::max(0, y - reach); row <= std::min(height - 1, y + reach); ++row) {
+        const int half = static_cast<int>(std::sqrt(radius * radius - (row - y) * (row - y)));
+        const int from = std::max(0, x - half), to = std::min(width, x + half + 1);
+        const Pixel* line = &sums[static_cast<std::size_t>(row * (width + 1))];
+        for (std::size_t c = 0; c < 4; ++c) sum[c] += line[to][c] - line[from][c];
+        count += to - from;
       }
       for (double& value : sum) value /= count;
       out[static_cast<std::size_t>(y * width + x)] = sum;

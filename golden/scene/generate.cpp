@@ -138,6 +138,10 @@ std::span<const std::string_view> pattern_kinds(std::string_view pattern) {
   return any;
 }
 
+int pattern_side(std::string_view pattern) {
+  return pattern == "focus" || pattern == "tide" ? kLargestStack : kLargestTexture;
+}
+
 LoadedTexture generate_texture(const TextureSpec& spec) {
   if (spec.pattern == "tablet") return make_tablet(spec);
   if (spec.pattern == "focus") return make_focus_stack(spec);

@@ -13,6 +13,8 @@ inline constexpr std::array<std::string_view, 11> kPatterns{"checker",  "relief"
                                                             "tablet",   "focus",  "tide"};
 /// What a pattern can be; the first is the default.
 [[nodiscard]] std::span<const std::string_view> pattern_kinds(std::string_view pattern);
+/// The most texels a side that a pattern can have.
+[[nodiscard]] int pattern_side(std::string_view pattern);
 
 /// A pattern at a size, the same for the same seed on every machine.
 ///

@@ -20,6 +20,7 @@ inline constexpr int kTidePictures = 40;
 
 /// One picture of a sequence: [height][width][3] levels.
 using StackPicture = std::vector<double>;
+inline constexpr int kLargestStack = 512;  ///< texels a side: all pictures are held in memory
 /// The pictures that are fitted, in order; also what a test compares a map with.
 [[nodiscard]] std::vector<StackPicture> focus_pictures(const TextureSpec& spec);
 [[nodiscard]] std::vector<StackPicture> tide_pictures(const TextureSpec& spec);

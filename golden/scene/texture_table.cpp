@@ -75,8 +75,8 @@ void read_generate(const TableReader& table, TextureSpec& texture) {
   if (const toml::node* size = table.find("size")) {
     const toml::array& pair = table.reader().array(*size, table.name("size"), 2);
     for (std::size_t i = 0; i < 2; ++i) {
-      texture.size[i] =
-          static_cast<int>(table.reader().integer(pair[i], table.name("size"), 1, kLargestTexture));
+      texture.size[i] = static_cast<int>(
+          table.reader().integer(pair[i], table.name("size"), 1, pattern_side(texture.pattern)));
     }
   }
   table.read("seed", texture.seed);

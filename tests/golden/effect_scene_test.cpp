@@ -131,6 +131,28 @@ TEST_F(EffectScene, RefusesEffectsThatTheirObjectsDoNotAllow) {
           "2 pairs of coordinates");
 }
 
+TEST_F(EffectScene, RefusesPatternsAsWhatTheyCannotBe) {
+  const auto said = [&](const std::string& keys) {
+    return complaint("[[texture]]\nname = \"m\"\n" + keys + plane("m") + kLight);
+  };
+  EXPECT_EQ(said("generate = \"tide\"\nkind = \"lrgb\"\n"),
+            "line 4 (texture[0].kind)|'lrgb' of tide|one of rgb");
+  EXPECT_EQ(said("generate = \"tablet\"\nkind = \"picture\"\n"),
+            "line 4 (texture[0].kind)|'picture' of tablet|one of lrgb");
+  EXPECT_EQ(said("generate = \"focus\"\nsize = [513, 8]\n"),
+            "line 4 (texture[0].size)|513|an integer from 1 to 512");
+  EXPECT_EQ(said("generate = \"focus\"\nsize = [512, 8]\n"), "nothing");
+}
+
+TEST_F(EffectScene, TellsOnceHowManyTexelsHaveNoMaximum) {
+  UnitScene scene = read(kMap + plane("m") + effect(kind("specular-enhancement")) +
+                         effect(kind("diffuse-gain")) + kLight);
+  LoadedTextures textures = load_textures(scene);
+  const auto extras = prepare_effects(scene, textures);
+  ASSERT_EQ(extras[0].notes.size(), 1U);
+  EXPECT_NE(extras[0].notes[0].find(" of 32 texels of 'm' have no maximum"), std::string::npos);
+}
+
 TEST_F(EffectScene, LetsAnEffectBeTheColorTextureAndNotASecondOne) {
   const auto combine = [&](const std::string& keys) {
     return read(kMap + plane("m") + keys + effect(kind("normals")) + kLight).draws.at(0).combine;

@@ -88,6 +88,12 @@ TEST_F(Effects, HaveNoHalfVectorWhereNoneAsksAndZeroWhereThereIsNone) {
     EXPECT_FALSE(s.lit);
     EXPECT_EQ(added(s), (Rgb{})) << "light behind the surface adds nothing";
   }
+  // Rounding leaves a sum of no length to speak of, which has no direction either.
+  prepare(kDark +
+          "[image]\nsize = [9, 9]\n[camera]\northographic = true\nposition = [1.1, -3.1, 0.7]\n"
+          "[[object]]\nkind = \"plane\"\ntexture = \"m\"\nrotate = [10, 20, 30]\n" +
+          effect("half-vector") + "[[light]]\ndirection = [-1.1, 3.1, -0.7]\n");
+  for (const SurfaceSample& s : samples_) EXPECT_EQ(s.half, (std::array<double, 2>{}));
   // Grazing on both sides.
   prepare(kDark + kSquare + effect("half-vector") + "[[light]]\ndirection = [1, 0, 0]\n");
   for (const SurfaceSample& s : samples_) {
@@ -282,7 +288,8 @@ TEST_F(Effects, ProjectTheLightOnTheNormalPlaneOfTheGrooves) {
 
 TEST_F(Effects, StoreTheProductOfSeveralModulatorsAsOne) {
   const std::string base = kDark +
-                           "[[texture]]\nname = \"g\"\ngenerate = \"gloss\"\nsize = [16, 16]\n" +
+                           "filter = \"point\"\n[[texture]]\nname = \"g\"\ngenerate = \"gloss\"\n"
+                           "size = [16, 16]\nfilter = \"point\"\n" +
                            kSquare + effect("specular-enhancement", "exponent = 1\n");
   prepare(base + local(0.3, 0.5));
   const double plain = added(at(7, 7))[0];
@@ -290,6 +297,11 @@ TEST_F(Effects, StoreTheProductOfSeveralModulatorsAsOne) {
           effect("off-specular", "facing = 0.5\n") + local(0.3, 0.5));
   EXPECT_EQ(extras_[0].sets.size(), 2U);
   EXPECT_LT(extras_[0].residual.max, 1e-9) << "a constant times a polynomial is one";
+  for (const SurfaceSample& s : samples_) {
+    const auto x = static_cast<std::size_t>(s.u * 16), y = static_cast<std::size_t>(s.v * 16);
+    const double gloss = textures_[1].color[(y * 16 + x) * 3] / 255.0;
+    EXPECT_NEAR(added(s)[0], plain * gloss * (0.5 + 0.5 * 0.34), 1e-9);
+  }
   prepare(base + effect("modulated-specular", "map = \"g\"\n") + effect("fresnel") +
           effect("off-specular") + effect("anisotropic") + local(0.3, 0.5));
   EXPECT_EQ(extras_[0].sets.size(), 4U);
