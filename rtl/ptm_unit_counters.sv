@@ -131,7 +131,8 @@ module ptm_unit_counters #(
     logic [63:0] sum;
     assign sum = count_q[n] + 64'(step[n]) + (n == 2 || n == 7 ? idle_q : 64'd0);
     always_ff @(posedge clk_i) begin
-      if (clear || step[n] != '0) count_q[n] <= clear ? 64'd0 : sum;
+      if (clear) count_q[n] <= 64'd0;
+      else if (step[n] != '0) count_q[n] <= sum;
     end
   end
 
@@ -139,11 +140,18 @@ module ptm_unit_counters #(
   logic [63:0] draw_count_q [4*ptm_unit_pkg::Draws];
   for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_draw
     always_ff @(posedge clk_i) begin
-      if (clear || (looked_i && draw_i == ptm_unit_pkg::DrawBits'(d))) begin
-        draw_count_q[4*d]   <= clear ? 64'd0 : draw_count_q[4*d] + 64'(hits_map);
-        draw_count_q[4*d+1] <= clear ? 64'd0 : draw_count_q[4*d+1] + 64'(misses_map);
-        draw_count_q[4*d+2] <= clear ? 64'd0 : draw_count_q[4*d+2] + 64'(hits_color);
-        draw_count_q[4*d+3] <= clear ? 64'd0 : draw_count_q[4*d+3] + 64'(misses_color);
+      if (clear) begin
+        draw_count_q[4*d]   <= 64'd0;
+        draw_count_q[4*d+1] <= 64'd0;
+        draw_count_q[4*d+2] <= 64'd0;
+        draw_count_q[4*d+3] <= 64'd0;
+      end else if (looked_i) begin
+        if (draw_i == ptm_unit_pkg::DrawBits'(d)) begin
+          draw_count_q[4*d]   <= draw_count_q[4*d] + 64'(hits_map);
+          draw_count_q[4*d+1] <= draw_count_q[4*d+1] + 64'(misses_map);
+          draw_count_q[4*d+2] <= draw_count_q[4*d+2] + 64'(hits_color);
+          draw_count_q[4*d+3] <= draw_count_q[4*d+3] + 64'(misses_color);
+        end
       end
     end
   end

@@ -107,8 +107,15 @@ module ptm_unit_miss_ring #(
   for (genvar t = 0; t < Tmus; t++) begin : gen_commit
     logic [SlotBits-1:0]  slot;
     logic [LineWidth-1:0] line;
-    assign slot      = behind(head_q, lines_before(rank_i, t));
-    assign there[t]  = !rank_i[t] || usable_q[slot];
+    // Of a beat without lines nothing is asked
+    always_comb begin
+      slot     = '0;
+      there[t] = 1'b1;
+      if (rank_i != '0) begin
+        slot     = behind(head_q, lines_before(rank_i, t));
+        there[t] = !rank_i[t] || usable_q[slot];
+      end
+    end
     // Without a commit nothing moves, and nothing is simulated
     always_comb begin
       line = '0;

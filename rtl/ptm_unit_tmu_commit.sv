@@ -24,16 +24,14 @@ module ptm_unit_tmu_commit #(
   assign reads_o    = reads_q;
 
   // The rank's line goes where the tag bank of its tap said
-  ptm_unit_front_pkg::taken_t taken;
-  assign taken = reads_q.color ? color_i : map_i;
   logic [1:0] tap, column_bank, row_bank, bank;
   always_comb begin
     {tap, column_bank, row_bank, bank} = '0;
     row_o                              = '0;
     if (line_o) begin
       tap         = left_q[0] ? 2'd0 : left_q[1] ? 2'd1 : left_q[2] ? 2'd2 : 2'd3;
-      column_bank = {taken.i1[2], taken.i0[2]};
-      row_bank    = {taken.j1[2], taken.j0[2]};
+      column_bank = reads_q.color ? {color_i.i1[2], color_i.i0[2]} : {map_i.i1[2], map_i.i0[2]};
+      row_bank    = reads_q.color ? {color_i.j1[2], color_i.j0[2]} : {map_i.j1[2], map_i.j0[2]};
       bank        = {row_bank[tap[1]], column_bank[tap[0]]};
       row_o       = (RowBits'(bank) << ($clog2(Rows) - 2)) | RowBits'(reads_q.place[bank]);
     end
