@@ -2,7 +2,8 @@
 # (`#include "golden/files/ptm_file.h"`), so that the layering test can read who includes whom.
 
 add_library(ptm_options INTERFACE)
-target_include_directories(ptm_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_include_directories(ptm_options INTERFACE ${CMAKE_SOURCE_DIR} ${PTM_GENERATED}
+  ${PTM_EFFECTS_EXTRA})
 target_compile_options(ptm_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Werror)
 if(PTM_SANITIZE)

@@ -25,15 +25,23 @@ target_compile_definitions(ptm_verilator_runtime PUBLIC
 target_compile_options(ptm_verilator_runtime PRIVATE ${PTM_VERILATED_OPTIONS})
 target_link_libraries(ptm_verilator_runtime PUBLIC Threads::Threads)
 
-# ptm_verilate(target PREFIX V... TOP module SOURCES file... [LISTS list...]
+# ptm_verilate(target [MODULE] PREFIX V... TOP module SOURCES file... [LISTS list...]
 #              [PARAMETERS Name=value...] [ASSERT] [HARNESS file])
 # - a static library with the C++ class PREFIX of that module, as one translation unit.
-# LISTS are read after rtl/files.f. ASSERT builds the assertions of ptm_assert.svh in. HARNESS is C++ that joins the unit, so that the
-# compiler can inline the design into what drives it.
+# MODULE: one to be loaded by a running program, which has Verilator's runtime already. LISTS are
+# read after rtl/files.f; stages of effects are found by name, the chain of this build's stages
+# before the one of all. ASSERT builds the assertions of ptm_assert.svh in. HARNESS is C++ that joins
+# the unit, so that the compiler can inline the design into what drives it.
 function(ptm_verilate target)
-  cmake_parse_arguments(arg "ASSERT" "PREFIX;TOP;HARNESS" "SOURCES;LISTS;PARAMETERS"
+  cmake_parse_arguments(arg "ASSERT;MODULE" "PREFIX;TOP;HARNESS" "SOURCES;LISTS;PARAMETERS"
     ${ARGN})
   set(lists "")
+  if(arg_LISTS)
+    set(lists -y ${PTM_GENERATED}/rtl -y rtl/effects)
+    if(PTM_EFFECTS_EXTRA)
+      list(APPEND lists -y ${PTM_EFFECTS_EXTRA}/rtl/effects)
+    endif()
+  endif()
   foreach(list IN LISTS arg_LISTS)
     list(APPEND lists -f ${list})
   endforeach()
@@ -44,7 +52,8 @@ function(ptm_verilate target)
   if(arg_ASSERT)
     list(APPEND flags --assert)
   endif()
-  file(GLOB rtl_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*)
+  file(GLOB rtl_files LIST_DIRECTORIES false CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*
+    ${CMAKE_SOURCE_DIR}/rtl/effects/* ${PTM_GENERATED}/rtl/*)
   add_custom_command(
     OUTPUT ${dir}/${arg_PREFIX}.h ${dir}/all.cxx
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${dir}
@@ -56,9 +65,20 @@ function(ptm_verilate target)
     DEPENDS ${rtl_files} ${arg_SOURCES} ${CMAKE_SOURCE_DIR}/cmake/VerilatedUnity.cmake
     WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
     COMMENT "Verilating ${arg_PREFIX}" VERBATIM)
-  add_library(${target} STATIC ${dir}/all.cxx ${dir}/${arg_PREFIX}.h)
+  set(kind STATIC)
+  if(arg_MODULE)
+    set(kind MODULE)
+  endif()
+  add_library(${target} ${kind} ${dir}/all.cxx ${dir}/${arg_PREFIX}.h)
   target_include_directories(${target} SYSTEM PUBLIC ${dir})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
   target_compile_options(${target} PRIVATE ${PTM_VERILATED_OPTIONS})
-  target_link_libraries(${target} PUBLIC ptm_verilator_runtime)
+  if(arg_MODULE)
+    target_include_directories(${target} SYSTEM PRIVATE
+      $<TARGET_PROPERTY:ptm_verilator_runtime,INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
+    target_compile_definitions(${target} PRIVATE PTM_VARIANT_LIBRARY
+      $<TARGET_PROPERTY:ptm_verilator_runtime,INTERFACE_COMPILE_DEFINITIONS>)
+  else()
+    target_link_libraries(${target} PUBLIC ptm_verilator_runtime)
+  endif()
 endfunction()

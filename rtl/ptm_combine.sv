@@ -29,7 +29,10 @@ module ptm_combine #(
   output logic [ptm_unit_pkg::PixelBits-1:0] y_o,
   output logic [23:0]                        rgb_o,
   output logic [7:0]                         alpha_o,
-  output logic [1:0]                         flags_o
+  output logic [1:0]                         flags_o,
+  // C1, C2 take over a pixel: for what travels beside it
+  output logic                               load_c1_o,
+  output logic                               load_c2_o
 );
   logic c1_valid, c2_ready, c1_load, c2_load;
   ptm_stream_reg u_c1 (
@@ -40,6 +43,9 @@ module ptm_combine #(
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(c1_valid), .ready_o(c2_ready), .load_o(c2_load),
     .valid_o(valid_o), .ready_i(ready_i)
   );
+
+  assign load_c1_o = c1_load;
+  assign load_c2_o = c2_load;
 
   // Products | C1
   logic [3*17-1:0] lit_product, color_product;

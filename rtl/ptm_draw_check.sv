@@ -1,17 +1,25 @@
 // Checks one level of one texture of a draw, and the draw's control: docs/spec/unit.md, Legal.
 //
 //   1 size, 2 levels, 8 control; 4 the level ends beyond the memory's lines
+//   8 too: effects that the unit is not built for, or that the draw has not the texture for
+//                                                              docs/spec/effects.md, Legal
 //
 // Sizes, levels and addresses count only for textures that the draw has. Whoever steps through the
 // levels looks at error 4 only if there is no other. One multiply: tiles across times tiles down.
 // Twin: check_draw() in model/reference/unit/draw.h. Combinational.
-module ptm_draw_check (
+module ptm_draw_check #(
+  parameter int HalfVector  = 0,
+  parameter int ExtraSets   = 0,
+  parameter int ExtraPasses = 0,
+  parameter int Stages      = 0
+) (
   input  logic [2:0]  format_i,
   input  logic [1:0]  mip_i,
   input  logic [1:0]  wrap_u_i,
   input  logic [1:0]  wrap_v_i,
   input  logic [2:0]  combine_i,
   input  logic        color_i,
+  input  logic [ptm_unit_pkg::EffectW-1:0] effect_i,  // effect_t
   input  logic        texture_i,       // 0: the map, 1: the colour texture; what follows is its
   input  logic [ptm_unit_pkg::SideBits-1:0] width_i,
   input  logic [ptm_unit_pkg::SideBits-1:0] height_i,
@@ -37,7 +45,42 @@ module ptm_draw_check (
   assign incomplete = (combine_i != ptm_unit_pkg::CombineNone && !color_i) ||
                       (format_i == ptm_unit_pkg::FormatNone &&
                        combine_i != ptm_unit_pkg::CombineReplace);
-  assign bad_control_o = unknown || incomplete;
+
+  // Effects
+  logic [2:0] sets;
+  if (ExtraSets == 0 && ExtraPasses == 0 && Stages == 0) begin : gen_no_effects
+    assign sets          = 3'd0;
+    assign bad_control_o = unknown || incomplete;
+    logic unused_effect;
+    assign unused_effect = ^{effect_i, sets};
+  end else begin : gen_effects
+    logic [2:0] passes;
+    logic [3:0] pass;
+    logic [7:0] stages;
+    logic       beyond_build, bad_pass;
+    assign passes = effect_i[ptm_unit_pkg::EffectPassesAt +: 3];
+    assign sets   = effect_i[ptm_unit_pkg::EffectSetsAt +: 3];
+    assign stages = effect_i[ptm_unit_pkg::EffectStagesAt +: 8];
+    assign beyond_build = sets > 3'(ExtraSets) || passes > 3'(ExtraPasses) ||
+                          (stages & ~8'(Stages)) != '0;
+    always_comb begin
+      bad_pass = 1'b0;
+      pass     = '0;
+      for (int k = 0; k < ExtraPasses; k++) begin
+        pass = effect_i[ptm_unit_pkg::EffectPassAt + 4*k +: 4];
+        if (3'(k) < passes) begin
+          if (pass[2:0] > sets || (pass[3] && HalfVector == 0)) bad_pass = 1'b1;
+          if (pass[2:0] == 3'd0 && format_i != ptm_unit_pkg::FormatLrgb &&
+              format_i != ptm_unit_pkg::FormatPaletteLrgb) bad_pass = 1'b1;
+        end
+      end
+    end
+    assign bad_control_o = unknown || incomplete || beyond_build || bad_pass ||
+                           (format_i == ptm_unit_pkg::FormatNone &&
+                            (sets != 3'd0 || passes != 3'd0));
+    logic unused_effect;
+    assign unused_effect = ^effect_i;
+  end
 
   assign bad_size_o = present && (width_i == '0 || width_i > SideW'(LargestSide) ||
                                   height_i == '0 || height_i > SideW'(LargestSide));
@@ -59,13 +102,22 @@ module ptm_draw_check (
   assign down   = height == '0 ? (SideW-1)'(1)
                                : (SideW-1)'((SideW+1)'(height) + (SideW+1)'(3) >> 2);
   assign tiles  = (2*SideW-2)'(across) * (2*SideW-2)'(down);
+  logic [2*SideW:0]   own_lines;
   always_comb begin
-    lines = (2*SideW+1)'(tiles);
+    own_lines = (2*SideW+1)'(tiles);
     if (!texture_i && format_i == ptm_unit_pkg::FormatLrgb) begin
-      lines = (2*SideW+1)'(tiles) + {2'b0, tiles, 1'b0};  // 3 planes
+      own_lines = (2*SideW+1)'(tiles) + {2'b0, tiles, 1'b0};  // 3 planes
     end else if (!texture_i && format_i == ptm_unit_pkg::FormatRgb) begin
-      lines = {2'b0, tiles, 1'b0} + {1'b0, tiles, 2'b0};  // 6
+      own_lines = {2'b0, tiles, 1'b0} + {1'b0, tiles, 2'b0};  // 6
     end
+  end
+  if (ExtraSets == 0) begin : gen_own_lines
+    assign lines = own_lines;
+  end else begin : gen_set_lines  // two planes a set; more than four sets are an error of their own
+    assign lines = texture_i ? own_lines
+                 : own_lines + (sets[2] ? {tiles, 3'b0}
+                                        : (sets[0] ? {2'b0, tiles, 1'b0} : '0) +
+                                          (sets[1] ? {1'b0, tiles, 2'b0} : '0));
   end
   assign beyond_o = present && level_i < levels_i &&
                     (2*SideW+2)'(base_i) + (2*SideW+2)'(lines) > (2*SideW+2)'(memory_lines_i);

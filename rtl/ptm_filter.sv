@@ -7,7 +7,10 @@
 // coefficients or four bytes; TMU 0's also a palette's eighteen), then one for each of the 26
 // fields of a fragment. Word w of a draw comes by TMU w mod Tmus in beat (group) w / Tmus.
 //
-// Multiplies: 3 a lane (Tmus * 4 + 14), 1 a field (26).
+// An extra pass of docs/spec/effects.md takes its operands from what O holds as well; passes are
+// sent in order, extra ones first.
+//
+// Multiplies: 3 a lane (Tmus * 4 + 14), 1 a field (26, and 6 a coefficient set of effects).
 `include "ptm_assert.svh"
 module ptm_filter #(
   parameter int CoefBits         = 8,
@@ -17,6 +20,9 @@ module ptm_filter #(
   parameter int PaletteLrgbPorts = 4,
   parameter int PaletteRgbPorts  = 1,
   parameter int EvalLanes        = 1,  // passes that O sends a cycle; 1, 3
+  parameter int HalfVector       = 0,  // as ptm_unit
+  parameter int ExtraSets        = 0,
+  parameter int ExtraPasses      = 0,
   localparam int FieldW = ptm_pkg::larger(8, CoefBits),  // in memory
   localparam int ValueW = FieldW + FilterFrac,           // on the way
   localparam int StoredW = ptm_pkg::stored_bits(CoefBits, FilterFrac),
@@ -25,6 +31,7 @@ module ptm_filter #(
   input  logic        clk_i,
   input  logic        rst_ni,
   input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_i,
+  input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::EffectW-1:0] effects_i,  // effect_t
   input  logic        pal_lrgb_we_i,
   input  logic [10:0] pal_lrgb_addr_i,
   input  logic        pal_rgb_we_i,
@@ -41,6 +48,11 @@ module ptm_filter #(
   output logic                                    valid_o,
   input  logic                                    ready_i,
   output logic                                    last_pass_o,
+  output logic                                    extra_o,      // an extra pass; its luminance counts
+  output logic [1:0]                              number_o,     // which one
+  output logic [2:0]                              passes_o,     // extra ones of the fragment
+  input  logic signed [ptm_unit_pkg::LightMax-1:0] hu_i,        // of the fragment
+  input  logic signed [ptm_unit_pkg::LightMax-1:0] hv_i,
   output logic [EvalLanes*6*StoredW-1:0]          coef_o,       // lane 0 lowest
   output logic [6*CoefBits-1:0]                   bias_o,
   output logic [6*ptm_pkg::ShiftBits-1:0]         shift_o,
@@ -59,18 +71,19 @@ module ptm_filter #(
   localparam int Lanes  = 4 * Tmus + 14;
   localparam int Lanes0 = 18;              // of TMU 0
   localparam int LrgbColor = 2;            // the word of LRGB that holds the colour
+  localparam int GroupBits = ptm_unit_pkg::GroupBits;
 
   // Lane of field i of TMU t's word
   function automatic int lane(input int t, input int i);
     lane = t == 0 ? i : Lanes0 + 4 * (t - 1) + i;
   endfunction
   // The beat brings word w on TMU t
-  function automatic logic brings(input logic [2:0] group, input int w, input int t);
-    brings = w % Tmus == t && group == 3'(w / Tmus);
+  function automatic logic brings(input logic [GroupBits-1:0] group, input int w, input int t);
+    brings = w % Tmus == t && group == GroupBits'(w / Tmus);
   endfunction
   // The beat brings the colour texture on TMU t: the word behind the map's planes
-  function automatic logic brings_color(input logic [2:0] format, input logic [2:0] group,
-                                        input int t);
+  function automatic logic brings_color(input logic [2:0] format,
+                                        input logic [GroupBits-1:0] group, input int t);
     case (format)
       ptm_unit_pkg::FormatNone: brings_color = brings(group, 0, t);
       ptm_unit_pkg::FormatLrgb: brings_color = brings(group, 3, t);
@@ -89,7 +102,7 @@ module ptm_filter #(
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_d_draw (
     .draws_i(draws_i), .draw_i(beat_i.draw), .format_o(d_format), .palette_o(d_palette),
-    .bilinear_o(), .color_o(), .bias_o(), .shift_o(), .combine_o(), .ka_o(), .kd_o()
+    .color_o(d_color), .bilinear_o(), .bias_o(), .shift_o(), .combine_o(), .ka_o(), .kd_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
   assign {d_fetched, d_words} = taps_i[ptm_unit_pkg::TapsW-1:0];
@@ -115,7 +128,7 @@ module ptm_filter #(
   logic l1_ready, l2_ready, l3_ready, o_ready, o_done;
   logic p_valid, l1_valid, l2_valid, l3_valid, o_valid;
   logic load_l1, load_l2, load_l3, load_o;
-  logic [1:0] pass_q;
+  logic [1:0] pass_q;  // of the map's own
   ptm_stream_reg u_p (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i && d_last && beat_i.sub_last),
     .ready_o(p_ready), .load_o(load_p), .valid_o(p_valid), .ready_i(l1_ready)
@@ -147,7 +160,7 @@ module ptm_filter #(
   } spot_t;
   typedef struct packed {
     logic [2:0]                        format;
-    logic [2:0]                        group;
+    logic [GroupBits-1:0]              group;
     logic                              second;
     logic [7:0]                        map_f;
     logic [7:0]                        color_f;
@@ -190,6 +203,22 @@ module ptm_filter #(
       o_spot_q <= l3_spot_q;
       o_step_q <= l3_step_q;
     end
+  end
+
+  // Behind the map's planes lies a set's word if the draw has no colour texture.
+  logic d_color, p_has_color, l1_has_color, l2_has_color;
+  if (ExtraSets == 0) begin : gen_no_sets
+    assign {p_has_color, l1_has_color, l2_has_color} = '1;
+    logic unused_color;
+    assign unused_color = ^{d_color, p_has_color, l1_has_color, l2_has_color};
+  end else begin : gen_has_color
+    logic p_q, l1_q, l2_q;
+    always_ff @(posedge clk_i) begin
+      if (load_p) p_q <= d_color;
+      if (load_l1) l1_q <= p_q;
+      if (load_l2) l2_q <= l1_q;
+    end
+    assign {p_has_color, l1_has_color, l2_has_color} = {p_q, l1_q, l2_q};
   end
 
   // P: the words of each TMU, and the palette entries of TMU 0's
@@ -238,22 +267,27 @@ module ptm_filter #(
   // U7, P to L2
   logic                    p_lrgb, p_rgb;  // palettised
   logic [Lanes*ValueW-1:0] l2;
-  assign p_lrgb = p_step_q.format == ptm_unit_pkg::FormatPaletteLrgb && p_step_q.group == 3'd0;
-  assign p_rgb  = p_step_q.format == ptm_unit_pkg::FormatPaletteRgb && p_step_q.group == 3'd0;
+  assign p_lrgb = p_step_q.format == ptm_unit_pkg::FormatPaletteLrgb && p_step_q.group == '0;
+  assign p_rgb  = p_step_q.format == ptm_unit_pkg::FormatPaletteRgb && p_step_q.group == '0;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     logic       p_color, p_bytes, l1_color;
     logic [7:0] wu, wv;
-    assign p_color  = brings_color(p_step_q.format, p_step_q.group, t);
+    if (ExtraSets == 0) begin : gen_behind_map
+      assign p_color  = brings_color(p_step_q.format, p_step_q.group, t);
+      assign l1_color = brings_color(l1_step_q.format, l1_step_q.group, t);
+    end else begin : gen_if_any
+      assign p_color  = p_has_color && brings_color(p_step_q.format, p_step_q.group, t);
+      assign l1_color = l1_has_color && brings_color(l1_step_q.format, l1_step_q.group, t);
+    end
     assign p_bytes  = p_color || (p_step_q.format == ptm_unit_pkg::FormatLrgb &&
                                   brings(p_step_q.group, LrgbColor, t));
-    assign l1_color = brings_color(l1_step_q.format, l1_step_q.group, t);
     assign wu       = p_color ? p_color_wu_q : p_map_wu_q;
     assign wv       = l1_color ? l1_color_wv_q : l1_map_wv_q;
     // Lanes of a palette's fields stand still for other words.
     logic l1_lrgb, l1_rgb;
     assign l1_lrgb = l1_step_q.format == ptm_unit_pkg::FormatPaletteLrgb &&
-                     l1_step_q.group == 3'd0;
-    assign l1_rgb  = l1_step_q.format == ptm_unit_pkg::FormatPaletteRgb && l1_step_q.group == 3'd0;
+                     l1_step_q.group == '0;
+    assign l1_rgb  = l1_step_q.format == ptm_unit_pkg::FormatPaletteRgb && l1_step_q.group == '0;
     for (genvar i = 0; i < (t == 0 ? Lanes0 : 4); i++) begin : gen_lane
       logic [ValueW-1:0] tap [4];
       for (genvar k = 0; k < 4; k++) begin : gen_tap
@@ -284,6 +318,7 @@ module ptm_filter #(
     .kd_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
+  logic [EvalLanes*6*StoredW-1:0] own_coef;
   ptm_filter_fields #(
     .CoefBits(CoefBits), .RoundNearest(RoundNearest), .FilterFrac(FilterFrac), .Tmus(Tmus),
     .EvalLanes(EvalLanes)
@@ -293,27 +328,22 @@ module ptm_filter #(
     .l2_color_f_i(l2_step_q.color_f), .leave_l3_i(leave_l3), .l3_format_i(l3_step_q.format),
     .l3_first_probe_i(l3_step_q.first_probe), .l3_probes_log2_i(l3_step_q.probes_log2),
     .l3_lit_i(l3_step_q.lit), .l3_bias_i(l3_bias), .load_o_i(load_o), .pass_i(pass_q),
-    .coef_o(coef_o), .rgb_o(rgb_o), .map_alpha_o(map_alpha_o), .color_o(color_o)
+    .coef_o(own_coef), .rgb_o(rgb_o), .map_alpha_o(map_alpha_o), .color_o(color_o)
   );
 
-  // O: one pass a cycle, or with three lanes all of them
-  logic            o_none;
-  logic [6*12-1:0] o_bias;
-  logic [6*ptm_pkg::ShiftBits-1:0] o_shift;
+  // O: one pass a cycle, or with three lanes all of the map's own
+  logic            o_none, o_rgb;
+  logic [6*12-1:0] o_bias, own_bias;
+  logic [6*ptm_pkg::ShiftBits-1:0] o_shift, own_shift;
   assign o_none      = o_step_q.format == ptm_unit_pkg::FormatNone;
-  assign rgb_map_o   = o_step_q.format == ptm_unit_pkg::FormatRgb ||
+  assign o_rgb       = o_step_q.format == ptm_unit_pkg::FormatRgb ||
                        o_step_q.format == ptm_unit_pkg::FormatPaletteRgb;
   assign valid_o     = o_valid;
-  assign last_pass_o = !rgb_map_o || EvalLanes == 3 || pass_q == 2'd2;
   assign o_done      = ready_i && last_pass_o;
   assign channel_o   = pass_q;
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) pass_q <= 2'd0;
-    else if (o_valid && ready_i) pass_q <= last_pass_o ? 2'd0 : pass_q + 2'd1;
-  end
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_o_draw (
-    .draws_i(draws_i), .draw_i(o_step_q.draw), .bias_o(o_bias), .shift_o(o_shift),
+    .draws_i(draws_i), .draw_i(o_step_q.draw), .bias_o(own_bias), .shift_o(own_shift),
     .format_o(), .bilinear_o(), .color_o(), .palette_o(), .combine_o(), .ka_o(), .kd_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
@@ -321,9 +351,85 @@ module ptm_filter #(
     assign bias_o[CoefBits*i +: CoefBits] = o_none ? '0 : o_bias[12*i +: CoefBits];
   end
   assign shift_o = o_none ? '0 : o_shift;
-  assign lu_o    = o_spot_q.lu;
-  assign lv_o    = o_spot_q.lv;
   assign x_o     = o_spot_q.x;
   assign y_o     = o_spot_q.y;
   assign draw_o  = o_step_q.draw;
+
+  if (ExtraPasses == 0) begin : gen_own_passes
+    assign rgb_map_o   = o_rgb;
+    assign last_pass_o = !rgb_map_o || EvalLanes == 3 || pass_q == 2'd2;
+    assign coef_o      = own_coef;
+    assign o_bias      = own_bias;
+    assign o_shift     = own_shift;
+    assign lu_o        = o_spot_q.lu;
+    assign lv_o        = o_spot_q.lv;
+    assign extra_o     = 1'b0;
+    assign number_o    = 2'd0;
+    assign passes_o    = 3'd0;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) pass_q <= 2'd0;
+      else if (o_valid && ready_i) pass_q <= last_pass_o ? 2'd0 : pass_q + 2'd1;
+    end
+    logic unused_effects;
+    assign unused_effects = ^{effects_i, hu_i, hv_i, l2_has_color};
+  end else begin : gen_extra_passes
+    logic [2:0]                      set;
+    logic                            half;
+    logic [6*12-1:0]                 set_bias;
+    logic [6*ptm_pkg::ShiftBits-1:0] set_shift;
+    ptm_extra_passes #(
+      .HalfVector(HalfVector), .ExtraSets(ExtraSets)
+    ) u_extra_passes (
+      .clk_i(clk_i), .rst_ni(rst_ni), .effects_i(effects_i), .draw_i(o_step_q.draw),
+      .sent_i(o_valid && ready_i), .last_i(last_pass_o), .extra_o(extra_o), .number_o(number_o),
+      .passes_o(passes_o), .set_o(set), .half_o(half), .bias_o(set_bias), .shift_o(set_shift)
+    );
+    assign rgb_map_o   = o_rgb && !extra_o;
+    assign last_pass_o = !extra_o && (!o_rgb || EvalLanes == 3 || pass_q == 2'd2);
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) pass_q <= 2'd0;
+      else if (o_valid && ready_i && !extra_o) pass_q <= last_pass_o ? 2'd0 : pass_q + 2'd1;
+    end
+    assign lu_o = half ? hu_i : o_spot_q.lu;
+    assign lv_o = half ? hv_i : o_spot_q.lv;
+
+    // Set 0 is what the map's own first pass takes.
+    if (ExtraSets == 0) begin : gen_map_only
+      assign coef_o  = own_coef;
+      assign o_bias  = own_bias;
+      assign o_shift = own_shift;
+      logic unused_sets;
+      assign unused_sets = ^{set, set_bias, set_shift, l2_has_color};
+    end else begin : gen_sets
+      localparam int EffectW = ptm_unit_pkg::EffectW, BiasAt = ptm_unit_pkg::EffectBiasAt;
+      localparam int BiasW = ExtraSets * 6 * 12;
+      logic [ptm_unit_pkg::Draws*BiasW-1:0] biases;
+      logic [BiasW-1:0]                     l3_set_bias;
+      logic [6*StoredW-1:0]      set_coef;
+      for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_biases
+        assign biases[d*BiasW +: BiasW] = effects_i[d*EffectW+BiasAt +: BiasW];
+      end
+      ptm_by_draw #(.Width(BiasW)) u_l3_bias (
+        .values_i(biases), .draw_i(l3_step_q.draw), .value_o(l3_set_bias)
+      );
+      ptm_filter_sets #(
+        .CoefBits(CoefBits), .RoundNearest(RoundNearest), .FilterFrac(FilterFrac), .Tmus(Tmus),
+        .ExtraSets(ExtraSets)
+      ) u_sets (
+        .clk_i(clk_i), .load_l3_i(load_l3), .l2_i(l2), .l2_format_i(l2_step_q.format),
+        .l2_color_i(l2_has_color), .l2_group_i(l2_step_q.group),
+        .l2_second_i(l2_step_q.second), .l2_map_f_i(l2_step_q.map_f), .leave_l3_i(leave_l3),
+        .l3_first_probe_i(l3_step_q.first_probe), .l3_probes_log2_i(l3_step_q.probes_log2),
+        .l3_lit_i(l3_step_q.lit), .l3_bias_i(l3_set_bias), .load_o_i(load_o), .set_i(set),
+        .coef_o(set_coef)
+      );
+      assign coef_o[6*StoredW-1:0] = set == 3'd0 ? own_coef[6*StoredW-1:0] : set_coef;
+      if (EvalLanes > 1) begin : gen_others
+        assign coef_o[EvalLanes*6*StoredW-1:6*StoredW] =
+            own_coef[EvalLanes*6*StoredW-1:6*StoredW];
+      end
+      assign o_bias  = set == 3'd0 ? own_bias : set_bias;
+      assign o_shift = set == 3'd0 ? own_shift : set_shift;
+    end
+  end
 endmodule

@@ -24,7 +24,7 @@ module ptm_filter_fields #(
   input  logic                    load_l3_i,
   input  logic [Lanes*ValueW-1:0] l2_i,          // TMU 0's lanes lowest
   input  logic [2:0]              l2_format_i,
-  input  logic [2:0]              l2_group_i,
+  input  logic [ptm_unit_pkg::GroupBits-1:0] l2_group_i,
   input  logic                    l2_second_i,
   input  logic [7:0]              l2_map_f_i,
   input  logic [7:0]              l2_color_f_i,
@@ -44,18 +44,19 @@ module ptm_filter_fields #(
   output logic [31:0]             color_o        // R G B A, R lowest
 );
   localparam int LrgbColor = 2;  // the word of LRGB that holds the colour
+  localparam int GroupBits = ptm_unit_pkg::GroupBits;
 
   // Lane of field i of TMU t's word
   function automatic int lane(input int t, input int i);
     lane = t == 0 ? i : Lanes0 + 4 * (t - 1) + i;
   endfunction
   // The beat brings word w on TMU t
-  function automatic logic brings(input logic [2:0] group, input int w, input int t);
-    brings = w % Tmus == t && group == 3'(w / Tmus);
+  function automatic logic brings(input logic [GroupBits-1:0] group, input int w, input int t);
+    brings = w % Tmus == t && group == GroupBits'(w / Tmus);
   endfunction
   // The beat brings the colour texture on TMU t: the word behind the map's planes
-  function automatic logic brings_color(input logic [2:0] format, input logic [2:0] group,
-                                        input int t);
+  function automatic logic brings_color(input logic [2:0] format,
+                                        input logic [GroupBits-1:0] group, input int t);
     case (format)
       ptm_unit_pkg::FormatNone: brings_color = brings(group, 0, t);
       ptm_unit_pkg::FormatLrgb: brings_color = brings(group, 3, t);
@@ -82,9 +83,9 @@ module ptm_filter_fields #(
   assign l2_lrgb       = l2_format_i == ptm_unit_pkg::FormatLrgb;
   assign l2_rgb        = l2_format_i == ptm_unit_pkg::FormatRgb;
   assign l2_lrgb_index = l2_format_i == ptm_unit_pkg::FormatPaletteLrgb &&
-                         l2_group_i == 3'd0;
+                         l2_group_i == '0;
   assign l2_rgb_index  = l2_format_i == ptm_unit_pkg::FormatPaletteRgb &&
-                         l2_group_i == 3'd0;
+                         l2_group_i == '0;
   logic [Tmus-1:0] l2_colors;
   logic            l2_color;
   for (genvar t = 0; t < Tmus; t++) begin : gen_l2_color

@@ -1,15 +1,19 @@
 // Multiplies that a beat or a fragment does; docs/spec/unit.md, What counts as a multiply.
 //
+// A set's word counts as the map's coefficient words; an extra pass is 8 multiplies.
 // A word that fetches a tap does 3 a field if the draw is bilinear, 1 a field if its texture is in
 // its second footprint. Combinational.
 module ptm_multiply_count #(
-  parameter int Tmus = 3
+  parameter int Tmus        = 3,
+  parameter int ExtraSets   = 0,  // 0..4
+  parameter int ExtraPasses = 0   // 0..4
 ) (
   // A beat
   input  logic [2:0] format_i,
   input  logic       bilinear_i,
   input  logic       color_i,
-  input  logic [2:0] group_i,
+  input  logic [ptm_unit_pkg::GroupBits-1:0] group_i,
+  input  logic [2:0] sets_i,
   input  logic       second_i,
   input  logic       map_fetched_i,
   input  logic       color_fetched_i,
@@ -17,9 +21,11 @@ module ptm_multiply_count #(
   // A fragment
   input  logic [2:0] o_format_i,
   input  logic [2:0] o_combine_i,
-  output logic [4:0] eval_o,
+  input  logic [2:0] o_passes_i,  // extra ones
+  output logic [5:0] eval_o,
   output logic [2:0] combine_o
 );
+  localparam int GroupBits = ptm_unit_pkg::GroupBits;
   // Fields of the map's words in the beat, and of the colour texture's
   logic [5:0] map_fields, color_fields, fields;
   logic [2:0] planes;
@@ -33,7 +39,7 @@ module ptm_multiply_count #(
       default: ;
     endcase
     for (int w = 0; w < 6; w++) begin
-      if (3'(w) < planes && group_i == 3'(w / Tmus)) begin
+      if (3'(w) < planes && group_i == GroupBits'(w / Tmus)) begin
         case (format_i)
           ptm_unit_pkg::FormatPaletteLrgb: map_fields = 6'd9;
           ptm_unit_pkg::FormatPaletteRgb:  map_fields = 6'd18;
@@ -44,19 +50,46 @@ module ptm_multiply_count #(
     end
     color_fields = '0;
     for (int w = 0; w < 7; w++) begin
-      if (color_i && 3'(w) == planes && group_i == 3'(w / Tmus)) color_fields = 6'd4;
+      if (color_i && 3'(w) == planes && group_i == GroupBits'(w / Tmus)) color_fields = 6'd4;
     end
   end
-  assign fields   = (map_fetched_i ? map_fields : '0) + (color_fetched_i ? color_fields : '0);
+  if (ExtraSets == 0) begin : gen_own
+    assign fields = (map_fetched_i ? map_fields : '0) + (color_fetched_i ? color_fields : '0);
+    logic unused_sets;
+    assign unused_sets = ^sets_i;
+  end else begin : gen_sets
+    logic [4:0] first, past;  // of the sets' words
+    logic [5:0] set_fields;
+    assign first = 5'(planes) + 5'(color_i);
+    assign past  = first + {1'b0, sets_i, 1'b0};
+    always_comb begin
+      set_fields = '0;
+      for (int w = 1; w < 7 + 2 * ExtraSets; w++) begin
+        if (5'(w) >= first && 5'(w) < past && group_i == GroupBits'(w / Tmus)) begin
+          set_fields = set_fields + 6'd3;
+        end
+      end
+    end
+    assign fields = (map_fetched_i ? map_fields + set_fields : '0) +
+                    (color_fetched_i ? color_fields : '0);
+  end
   assign filter_o = (bilinear_i ? 8'(fields) + {1'b0, fields, 1'b0} : '0) +
                     (second_i ? 8'(fields) : '0);
 
+  logic [4:0] eval;  // of the map's own passes
+  if (ExtraPasses == 0) begin : gen_own_passes
+    assign eval_o = 6'(eval);
+    logic unused_passes;
+    assign unused_passes = ^o_passes_i;
+  end else begin : gen_passes
+    assign eval_o = 6'(eval) + {o_passes_i, 3'd0};
+  end
   always_comb begin
     case (o_format_i)
-      ptm_unit_pkg::FormatNone: eval_o = 5'd0;
+      ptm_unit_pkg::FormatNone: eval = 5'd0;
       ptm_unit_pkg::FormatRgb,
-      ptm_unit_pkg::FormatPaletteRgb: eval_o = 5'd24;
-      default: eval_o = 5'd11;
+      ptm_unit_pkg::FormatPaletteRgb: eval = 5'd24;
+      default: eval = 5'd11;
     endcase
     case (o_combine_i)
       ptm_unit_pkg::CombineModulate: combine_o = 3'd3;

@@ -13,7 +13,7 @@ module ptm_palette_control #(
   input  logic                    leave_i,      // it leaves in this cycle
   input  logic [2:0]              format_i,
   input  logic [1:0]              palette_i,
-  input  logic [2:0]              group_i,
+  input  logic [ptm_unit_pkg::GroupBits-1:0] group_i,
   input  logic [3:0]              fetched_i,
   input  logic [127:0]            words_i,      // a tap, 00 lowest
   output logic                    last_o,       // nothing is left to look up after this cycle
@@ -28,8 +28,8 @@ module ptm_palette_control #(
   output logic [7:0]              rgb_port_o,
   output logic [RgbPorts*12-1:0]  rgb_read_o
 );
-  assign lrgb_o = format_i == ptm_unit_pkg::FormatPaletteLrgb && group_i == 3'd0;
-  assign rgb_o  = format_i == ptm_unit_pkg::FormatPaletteRgb && group_i == 3'd0;
+  assign lrgb_o = format_i == ptm_unit_pkg::FormatPaletteLrgb && group_i == '0;
+  assign rgb_o  = format_i == ptm_unit_pkg::FormatPaletteRgb && group_i == '0;
 
   logic [4*10-1:0] lrgb_index;
   logic [4*12-1:0] rgb_index;

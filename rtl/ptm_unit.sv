@@ -10,6 +10,7 @@
 // port's read.
 //
 // Twins: ptm::reference::shade() for values, the timing `exact` of model/pipeline for cycles.
+`include "ptm_assert.svh"
 module ptm_unit #(
   // EvalConfig; as ptm_evaluator, but CoefBits at most 10
   parameter int CoefBits     = 8,
@@ -32,7 +33,12 @@ module ptm_unit #(
   parameter int MissFifo         = 64,   // lines; 4 * Tmus..256
   parameter int PaletteLrgbPorts = 4,    // look-ups a cycle; 1, 2, 4
   parameter int PaletteRgbPorts  = 1,    // 1, 2, 4
-  parameter int EvalLanes        = 1     // evaluators side by side; 1, 3
+  parameter int EvalLanes        = 1,    // evaluators side by side; 1, 3
+  // What effects need (docs/spec/effects.md); without it nothing of it is there
+  parameter int HalfVector       = 0,    // fragments bring (hu, hv); needs ExtraPasses; 0, 1
+  parameter int ExtraSets        = 0,    // coefficient sets beyond the map's; 0..ExtraPasses
+  parameter int ExtraPasses      = 0,    // evaluator passes beyond the map's; 0..4
+  parameter int Stages           = 0     // mask of stages behind the combine stage
 ) (
   input  logic         clk_i,
   input  logic         rst_ni,
@@ -54,6 +60,8 @@ module ptm_unit #(
   input  logic [2:0]                                frag_probes_log2_i,  // 0..4
   input  logic signed [ptm_unit_pkg::LightMax-1:0]  frag_lu_i,
   input  logic signed [ptm_unit_pkg::LightMax-1:0]  frag_lv_i,
+  input  logic signed [ptm_unit_pkg::LightMax-1:0]  frag_hu_i,           // HalfVector only
+  input  logic signed [ptm_unit_pkg::LightMax-1:0]  frag_hv_i,
   input  logic                                      frag_lit_i,
   input  logic [ptm_unit_pkg::DrawBits-1:0]         frag_draw_i,         // one that was written
   // Memory: responses in any order, never refused
@@ -83,9 +91,16 @@ module ptm_unit #(
   logic [10:0] pal_lrgb_addr;
   logic [14:0] pal_rgb_addr;
   logic [31:0] pal_data;
-  ptm_unit_registers u_registers (
+  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::EffectW-1:0] effects;
+  logic        table_we;
+  logic [9:0]  table_addr;
+  logic [11:0] table_data;
+  ptm_unit_registers #(
+    .HalfVector(HalfVector), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
+  ) u_registers (
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
-    .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .error_o(error),
+    .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .effects_o(effects),
+    .table_we_o(table_we), .table_addr_o(table_addr), .table_data_o(table_data), .error_o(error),
     .checking_o(checking), .busy_i(busy), .invalidate_o(invalidate), .clear_o(clear),
     .mem_error_i(mem_error), .mem_error_tag_i(mem_rsp_tag_i),
     .counter_number_o(counter_number), .counter_i(counter),
@@ -115,18 +130,52 @@ module ptm_unit #(
   assign open         = !error && !checking;
   assign frag_ready_o = open && front_ready;
 
+  // Half-vectors go from here to O beside all else.
+  logic signed [ptm_unit_pkg::LightMax-1:0] o_hu, o_hv;
+  logic                                     o_leaves;
+  if (HalfVector == 0) begin : gen_no_half
+    assign {o_hu, o_hv} = '0;
+    logic unused_half;
+    assign unused_half = ^{frag_hu_i, frag_hv_i, o_leaves};
+  end else begin : gen_half
+    localparam int LightW = ptm_pkg::light_bits(LightInt, LightFrac);
+    logic signed [LightW-1:0] hu, hv;
+    ptm_half_fifo #(
+      .Depth(FragmentFifo + 13), .Width(LightW)  // A0 to A3, T, K, F, D, P, L1, L2, L3, O
+    ) u_half_fifo (
+      .clk_i(clk_i), .rst_ni(rst_ni), .push_i(frag_valid_i && frag_ready_o),
+      .hu_i(frag_hu_i[LightW-1:0]), .hv_i(frag_hv_i[LightW-1:0]), .pop_i(o_leaves), .hu_o(hu),
+      .hv_o(hv)
+    );
+    assign o_hu = ptm_unit_pkg::LightMax'(hu);
+    assign o_hv = ptm_unit_pkg::LightMax'(hv);
+    logic unused_half;
+    assign unused_half = ^{frag_hu_i, frag_hv_i};
+  end
+
+  // The front looks at the number of sets alone.
+  logic [ptm_unit_pkg::Draws*3-1:0] sets;
+  for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_sets
+    assign sets[3*d +: 3] = effects[d*ptm_unit_pkg::EffectW + ptm_unit_pkg::EffectSetsAt +: 3];
+  end
+
+  `PTM_ASSERT_INIT(HalfVectorNeedsPasses_A, HalfVector == 0 || ExtraPasses > 0)
+  `PTM_ASSERT_INIT(ExtraSetsInRange_A, ExtraSets >= 0 && ExtraSets <= ExtraPasses)
+  `PTM_ASSERT_INIT(ExtraPassesInRange_A, ExtraPasses >= 0 && ExtraPasses <= 4)
+
   // D
   logic                                d_valid, d_ready;
   ptm_unit_pkg::beat_t                 d_beat;
   logic [Tmus*ptm_unit_pkg::TapsW-1:0] d_taps;
   logic [2:0] inc_palette, inc_combine;
   logic [7:0] inc_filter;
-  logic [4:0] inc_eval;
+  logic [5:0] inc_eval, inc_effects;
   ptm_unit_front #(
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
-    .MissFifo(MissFifo)
+    .MissFifo(MissFifo), .ExtraSets(ExtraSets), .Stages(Stages)
   ) u_front (
-    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .invalidate_i(invalidate), .clear_i(clear),
+    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .sets_i(sets),
+    .invalidate_i(invalidate), .clear_i(clear),
     .busy_o(busy), .counter_number_i(counter_number), .counter_o(counter),
     .valid_i(frag_valid_i && open), .ready_o(front_ready),
     .fragment_i(fragment), .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -135,7 +184,8 @@ module ptm_unit #(
     .mem_rsp_line_i(mem_rsp_line_i), .mem_error_o(mem_error), .d_valid_o(d_valid),
     .d_ready_i(d_ready), .d_beat_o(d_beat), .d_taps_o(d_taps),
     .pixel_taken_i(pix_valid_o && pix_ready_i), .inc_palette_i(inc_palette),
-    .inc_filter_i(inc_filter), .inc_eval_i(inc_eval), .inc_combine_i(inc_combine)
+    .inc_filter_i(inc_filter), .inc_eval_i(inc_eval), .inc_combine_i(inc_combine),
+    .inc_effects_i(inc_effects)
   );
 
   ptm_unit_back #(
@@ -143,15 +193,18 @@ module ptm_unit #(
     .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
     .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
     .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
-    .EvalLanes(EvalLanes)
+    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
+    .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_back (
-    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .pal_lrgb_we_i(pal_lrgb_we),
+    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .effects_i(effects),
+    .table_we_i(table_we), .table_addr_i(table_addr), .table_data_i(table_data), .hu_i(o_hu),
+    .hv_i(o_hv), .o_leaves_o(o_leaves), .pal_lrgb_we_i(pal_lrgb_we),
     .pal_lrgb_addr_i(pal_lrgb_addr), .pal_rgb_we_i(pal_rgb_we), .pal_rgb_addr_i(pal_rgb_addr),
     .pal_data_i(pal_data), .d_valid_i(d_valid), .d_ready_o(d_ready), .d_beat_i(d_beat),
     .d_taps_i(d_taps), .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i), .pix_x_o(pix_x_o),
     .pix_y_o(pix_y_o), .pix_rgb_o(pix_rgb_o), .pix_alpha_o(pix_alpha_o),
     .pix_lum_saturated_o(pix_lum_saturated_o), .pix_color_saturated_o(pix_color_saturated_o),
     .inc_palette_o(inc_palette), .inc_filter_o(inc_filter), .inc_eval_o(inc_eval),
-    .inc_combine_o(inc_combine)
+    .inc_combine_o(inc_combine), .inc_effects_o(inc_effects)
   );
 endmodule

@@ -5,11 +5,14 @@
 // Timing: docs/spec/unit-timing.md, Address; values: docs/spec/unit.md, U1 to U6. All multiplies of
 // a beat's address are here: two in U1, four in U4 and four in U6 (two textures).
 module ptm_unit_address #(
-  parameter int Tmus = 3
+  parameter int Tmus      = 3,
+  parameter int ExtraSets = 0,  // 0..4
+  localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
   input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_i,
+  input  logic [ptm_unit_pkg::Draws*3-1:0] sets_i,
   input  logic                      valid_i,
   output logic                      ready_o,
   input  ptm_unit_pkg::fragment_t   fragment_i,
@@ -27,7 +30,7 @@ module ptm_unit_address #(
   // By TMU: what its word is
   output logic [Tmus-1:0]           fetched_o,  // it has one, and its texture has taps
   output logic [Tmus-1:0]           color_o,    // of the colour texture
-  output logic [3*Tmus-1:0]         plane_o,
+  output logic [Tmus*PlaneBits-1:0] plane_o,
   // Counters' increments
   output logic                      inc_conflicts_o,
   output logic [1:0]                inc_words_o,
@@ -40,15 +43,15 @@ module ptm_unit_address #(
   logic signed [33:0]  a0_u, a0_v;
   logic [1:0]          a0_wrap_u, a0_wrap_v;
   logic                a0_bilinear, a0_color;
-  logic [2:0]          a0_planes;
+  logic [2:0]          a0_planes, a0_sets;
   ptm_unit_front_pkg::level_t a0_map, a0_colors;
   ptm_unit_beats #(
-    .Tmus(Tmus)
+    .Tmus(Tmus), .ExtraSets(ExtraSets)
   ) u_beats (
-    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .valid_i(valid_i), .ready_o(ready_o),
-    .fragment_i(fragment_i), .valid_o(a0_valid), .ready_i(a0_ready), .beat_o(a0_beat),
+    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .sets_i(sets_i), .valid_i(valid_i),
+    .ready_o(ready_o), .fragment_i(fragment_i), .valid_o(a0_valid), .ready_i(a0_ready), .beat_o(a0_beat),
     .u_o(a0_u), .v_o(a0_v), .wrap_u_o(a0_wrap_u), .wrap_v_o(a0_wrap_v), .bilinear_o(a0_bilinear),
-    .planes_o(a0_planes), .color_o(a0_color), .map_o(a0_map),
+    .planes_o(a0_planes), .sets_o(a0_sets), .color_o(a0_color), .map_o(a0_map),
     .colors_o(a0_colors)
   );
 
@@ -79,12 +82,29 @@ module ptm_unit_address #(
     end
   end
 
+  logic a2_load, a3_load;
+  // Sets travel beside the map's planes, where they are built.
+  logic [2:0] a2_sets, a3_sets;
+  if (ExtraSets == 0) begin : gen_no_sets
+    assign a2_sets = a0_sets;  // 0
+    assign a3_sets = a0_sets;
+  end else begin : gen_sets
+    logic [2:0] a1_sets_q, a2_sets_q, a3_sets_q;
+    always_ff @(posedge clk_i) begin
+      if (a1_load) a1_sets_q <= a0_sets;
+      if (a2_load) a2_sets_q <= a1_sets_q;
+      if (a3_load) a3_sets_q <= a2_sets_q;
+    end
+    assign a2_sets = a2_sets_q;
+    assign a3_sets = a3_sets_q;
+  end
+
   // U3, U4's product | A2
   logic [19:0] fu, fv;
   ptm_unit_wrap u_wrap_u (.wrap_i(a1_wrap_u_q), .u_i(a1_u_q), .u_o(fu));
   ptm_unit_wrap u_wrap_v (.wrap_i(a1_wrap_v_q), .u_i(a1_v_q), .u_o(fv));
 
-  logic                a2_valid, a2_ready, a2_load;
+  logic                a2_valid, a2_ready;
   ptm_unit_pkg::beat_t a2_beat_q;
   logic                a2_repeat_u_q, a2_repeat_v_q, a2_bilinear_q, a2_color_q;
   logic [2:0]          a2_planes_q;
@@ -118,18 +138,20 @@ module ptm_unit_address #(
   ptm_unit_front_pkg::texels_t       map_texels, color_texels;
   ptm_unit_front_pkg::row_lines_t    map_row_lines, color_row_lines;
   ptm_unit_front_pkg::column_lines_t map_column_lines, color_column_lines;
-  ptm_unit_tiles u_tiles_map (
+  ptm_unit_tiles #(
+    .ExtraSets(ExtraSets)
+  ) u_tiles_map (
     .enable_i(1'b1), .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q),
     .repeat_v_i(a2_repeat_v_q),
     .product_u_i(a2_map_u_q), .product_v_i(a2_map_v_q), .level_i(a2_map_q),
-    .planes_i(a2_planes_q), .wu_o(map_wu), .wv_o(map_wv), .texels_o(map_texels),
+    .planes_i(a2_planes_q), .sets_i(a2_sets), .wu_o(map_wu), .wv_o(map_wv), .texels_o(map_texels),
     .row_lines_o(map_row_lines), .column_lines_o(map_column_lines)
   );
   ptm_unit_tiles u_tiles_color (
     .enable_i(a2_color_q), .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q),
     .repeat_v_i(a2_repeat_v_q),
     .product_u_i(a2_color_u_q), .product_v_i(a2_color_v_q), .level_i(a2_colors_q),
-    .planes_i(3'd1), .wu_o(color_wu), .wv_o(color_wv), .texels_o(color_texels),
+    .planes_i(3'd1), .sets_i(3'd0), .wu_o(color_wu), .wv_o(color_wv), .texels_o(color_texels),
     .row_lines_o(color_row_lines), .column_lines_o(color_column_lines)
   );
   ptm_unit_pkg::beat_t weighted;
@@ -141,7 +163,7 @@ module ptm_unit_address #(
     weighted.color.wv = color_wv;
   end
 
-  logic                        a3_ready, a3_load;
+  logic                        a3_ready;
   ptm_unit_pkg::beat_t         a3_beat_q;
   logic                        a3_color_q;
   logic [2:0]                  a3_planes_q;
@@ -175,10 +197,10 @@ module ptm_unit_address #(
   assign color_column_lines_o = a3_color_column_lines_q;
 
   ptm_unit_split #(
-    .Tmus(Tmus)
+    .Tmus(Tmus), .ExtraSets(ExtraSets)
   ) u_split (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_o), .ready_o(a3_ready), .beat_i(a3_beat_q),
-    .planes_i(a3_planes_q), .color_i(a3_color_q), .map_i(a3_map_texels_q),
+    .planes_i(a3_planes_q), .sets_i(a3_sets), .color_i(a3_color_q), .map_i(a3_map_texels_q),
     .color_texels_i(a3_color_texels_q), .ready_i(ready_i), .beat_o(beat_o), .taps_o(taps_o),
     .fetched_o(fetched_o), .color_o(color_o), .plane_o(plane_o),
     .inc_conflicts_o(inc_conflicts_o), .inc_words_o(inc_words_o), .inc_taps_o(inc_taps_o),

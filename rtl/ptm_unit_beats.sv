@@ -5,12 +5,14 @@
 // address half. Timing: docs/spec/unit-timing.md, Address.
 `include "ptm_assert.svh"
 module ptm_unit_beats #(
-  parameter int Tmus = 3,
+  parameter int Tmus      = 3,
+  parameter int ExtraSets = 0,  // 0..4
   localparam int DrawW = ptm_unit_pkg::DrawW
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
   input  logic [ptm_unit_pkg::Draws*DrawW-1:0] draws_i,
+  input  logic [ptm_unit_pkg::Draws*3-1:0]     sets_i,
   input  logic                      valid_i,
   output logic                      ready_o,
   input  ptm_unit_pkg::fragment_t   fragment_i,
@@ -24,6 +26,7 @@ module ptm_unit_beats #(
   output logic [1:0]                wrap_v_o,
   output logic                      bilinear_o,
   output logic [2:0]                planes_o,    // of the map: 0, 1, 3, 6
+  output logic [2:0]                sets_o,      // coefficient sets beyond it, two planes each
   output logic                      color_o,     // the draw has a colour texture
   output ptm_unit_front_pkg::level_t map_o,      // of the footprint
   output ptm_unit_front_pkg::level_t colors_o
@@ -47,7 +50,7 @@ module ptm_unit_beats #(
     endcase
   end
 
-  // Words: the map's planes, then the colour texture
+  // Words: the map's planes, the colour texture, the sets' planes
   always_comb begin
     unique case (draw.format)
       ptm_unit_pkg::FormatLrgb: planes_o = 3'd3;
@@ -56,12 +59,24 @@ module ptm_unit_beats #(
       default: planes_o = 3'd0;
     endcase
   end
-  logic [2:0] words, groups_less_1;
-  assign words         = planes_o + 3'(draw.color);
+  localparam int WordsMax = 7 + 2 * ExtraSets;
+  localparam int GroupW   = ExtraSets == 0 ? 3 : ptm_unit_pkg::GroupBits;
+  logic [GroupW-1:0] words, groups_less_1;
+  if (ExtraSets == 0) begin : gen_own
+    assign sets_o = 3'd0;
+    assign words  = planes_o + 3'(draw.color);
+    logic unused_sets;
+    assign unused_sets = ^sets_i;
+  end else begin : gen_sets
+    ptm_by_draw #(.Width(3)) u_sets (
+      .values_i(sets_i), .draw_i(fragment_q.draw), .value_o(sets_o)
+    );
+    assign words  = GroupW'(planes_o) + GroupW'(draw.color) + {sets_o, 1'b0};
+  end
   always_comb begin  // (words - 1) / Tmus
-    groups_less_1 = 3'd0;
-    for (int n = 1; n < 7; n++) begin
-      if (32'(words) > 32'(n * Tmus)) groups_less_1 = 3'(n);
+    groups_less_1 = '0;
+    for (int n = 1; n < WordsMax; n++) begin
+      if (32'(words) > 32'(n * Tmus)) groups_less_1 = GroupW'(n);
     end
   end
 
@@ -88,7 +103,7 @@ module ptm_unit_beats #(
 
   // Where the fragment stands
   logic [3:0] probe_q;
-  logic [2:0] group_q;
+  logic [GroupW-1:0] group_q;
   logic       last_group, last_footprint, last_probe;
   assign last_group     = group_q == groups_less_1;
   assign last_footprint = second_q == two_footprints;
@@ -100,7 +115,7 @@ module ptm_unit_beats #(
       second_q <= 1'b0;
       group_q  <= '0;
     end else if (valid_o && ready_i) begin
-      group_q <= last_group ? '0 : group_q + 3'd1;
+      group_q <= last_group ? '0 : group_q + GroupW'(1);
       if (last_group) second_q <= !last_footprint;
       if (last_group && last_footprint) probe_q <= last_probe ? '0 : probe_q + 4'd1;
     end
@@ -132,7 +147,7 @@ module ptm_unit_beats #(
     beat_o.probes_log2   = fragment_q.probes_log2;
     beat_o.first_probe   = probe_q == 4'd0;
     beat_o.second        = second_q;
-    beat_o.group         = group_q;
+    beat_o.group         = ptm_unit_pkg::GroupBits'(group_q);
     beat_o.ptm.f         = weight_map;
     beat_o.ptm.fetched   = fetched_map;
     beat_o.color.f       = weight_color;
@@ -140,5 +155,5 @@ module ptm_unit_beats #(
     beat_o.last          = last;
   end
 
-  `PTM_ASSERT(ADrawHasWords_A, !valid_o || words != 3'd0)
+  `PTM_ASSERT(ADrawHasWords_A, !valid_o || words != '0)
 endmodule

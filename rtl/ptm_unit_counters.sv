@@ -1,10 +1,12 @@
-// The unit's counters: docs/spec/unit-timing.md, Counters, numbers 0 to 36.
+// The unit's counters: docs/spec/unit-timing.md, Counters, numbers 0 to 36, and 37 of
+// docs/spec/effects.md, which is 0 in a unit without stages.
 //
 // Cycles count from the first fragment accepted; those in which nothing is inside are added, as
 // `input_empty`, when the next fragment is accepted. An increment counts in its cycle
 // (but not in the first after reset).
 module ptm_unit_counters #(
-  parameter int Tmus = 3,
+  parameter int Tmus   = 3,
+  parameter int Stages = 0,  // mask of effect stages
   localparam int Counters = ptm_unit_pkg::Counters
 ) (
   input  logic        clk_i,
@@ -27,8 +29,9 @@ module ptm_unit_counters #(
   input  logic [2:0]  inc_palette_i,
   input  logic [3:0]  inc_multiplies_address_i,
   input  logic [7:0]  inc_multiplies_filter_i,
-  input  logic [4:0]  inc_multiplies_eval_i,
+  input  logic [5:0]  inc_multiplies_eval_i,
   input  logic [2:0]  inc_multiplies_combine_i,
+  input  logic [5:0]  inc_multiplies_effects_i,
   // Look-ups of T, by TMU and bank
   input  logic                              looked_i,
   input  logic [Tmus*4-1:0]                 hits_i,
@@ -159,12 +162,26 @@ module ptm_unit_counters #(
     end
   end
 
-  logic [5:0] of_draws;
+  logic [5:0]  of_draws;
+  logic [63:0] value;
   assign of_draws = number_i - 6'(Shared);
   always_comb begin
-    value_o = 64'd0;
-    if (number_i < 6'(Shared)) value_o = count_q[number_i[4:0]];
-    else if (number_i < 6'(Counters)) value_o = draw_count_q[of_draws[3:0]];
+    value = 64'd0;
+    if (number_i < 6'(Shared)) value = count_q[number_i[4:0]];
+    else if (number_i < 6'(Counters - 1)) value = draw_count_q[of_draws[3:0]];
+  end
+
+  if (Stages == 0) begin : gen_no_effects
+    assign value_o = value;
+    logic unused_effects;
+    assign unused_effects = ^inc_multiplies_effects_i;
+  end else begin : gen_effects
+    logic [63:0] effects_q;
+    always_ff @(posedge clk_i) begin
+      if (clear) effects_q <= 64'd0;
+      else if (inc_multiplies_effects_i != '0) effects_q <= effects_q + 64'(inc_multiplies_effects_i);
+    end
+    assign value_o = number_i == 6'(Counters - 1) ? effects_q : value;
   end
 
   logic unused_bits;

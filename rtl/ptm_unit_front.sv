@@ -13,12 +13,15 @@ module ptm_unit_front #(
   parameter int Ways         = 2,    // 1, 2, 4
   parameter int FragmentFifo = 192,  // beats; 4..1024
   parameter int MissFifo     = 64,   // lines; 4 * Tmus..256
+  parameter int ExtraSets    = 0,    // 0..4
+  parameter int Stages       = 0,    // mask
   localparam int LineBits    = ptm_unit_pkg::LineBits,
   localparam int LineWidth   = ptm_unit_front_pkg::LineWidth
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
   input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_i,
+  input  logic [ptm_unit_pkg::Draws*3-1:0] sets_i,  // coefficient sets beyond the map's, by draw
   input  logic                      invalidate_i,  // only while nothing is inside
   input  logic                      clear_i,
   output logic                      busy_o,
@@ -46,11 +49,13 @@ module ptm_unit_front #(
   input  logic                      pixel_taken_i,
   input  logic [2:0]                inc_palette_i,
   input  logic [7:0]                inc_filter_i,
-  input  logic [4:0]                inc_eval_i,
-  input  logic [2:0]                inc_combine_i
+  input  logic [5:0]                inc_eval_i,
+  input  logic [2:0]                inc_combine_i,
+  input  logic [5:0]                inc_effects_i
 );
   localparam int Sets = CacheKib * 4 / Ways;  // of a tag bank
   localparam int Rows = CacheKib * 16;        // of a data bank
+  localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits;
   localparam int TakenW = ptm_unit_front_pkg::TakenW;
   localparam int ReadsW = ptm_unit_front_pkg::ReadsW;
 
@@ -69,15 +74,15 @@ module ptm_unit_front #(
   ptm_unit_front_pkg::column_lines_t a_map_column_lines, a_color_column_lines;
   logic [3:0]          a_taps;
   logic [Tmus-1:0]     a_fetched, a_color;
-  logic [3*Tmus-1:0]   a_plane;
+  logic [Tmus*PlaneBits-1:0] a_plane;
   logic                inc_conflicts;
   logic [1:0]          inc_words;
   logic [3:0]          inc_taps, inc_address;
   ptm_unit_address #(
-    .Tmus(Tmus)
+    .Tmus(Tmus), .ExtraSets(ExtraSets)
   ) u_address (
-    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .valid_i(valid_i), .ready_o(ready_o),
-    .fragment_i(fragment_i), .valid_o(a_valid), .ready_i(a_ready), .beat_o(a_beat),
+    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .sets_i(sets_i), .valid_i(valid_i),
+    .ready_o(ready_o), .fragment_i(fragment_i), .valid_o(a_valid), .ready_i(a_ready), .beat_o(a_beat),
     .map_texels_o(a_map_texels), .map_row_lines_o(a_map_row_lines),
     .map_column_lines_o(a_map_column_lines), .color_texels_o(a_color_texels),
     .color_row_lines_o(a_color_row_lines), .color_column_lines_o(a_color_column_lines),
@@ -167,7 +172,7 @@ module ptm_unit_front #(
   );
 
   ptm_unit_counters #(
-    .Tmus(Tmus)
+    .Tmus(Tmus), .Stages(Stages)
   ) u_counters (
     .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(clear_i), .accepted_i(valid_i && ready_o),
     .taken_i(pixel_taken_i), .busy_o(busy_o), .k_leaves_i(k_valid && f_ready),
@@ -176,6 +181,7 @@ module ptm_unit_front #(
     .inc_lines_i(mem_req_valid_o && mem_req_ready_i), .inc_palette_i(inc_palette_i),
     .inc_multiplies_address_i(inc_address), .inc_multiplies_filter_i(inc_filter_i),
     .inc_multiplies_eval_i(inc_eval_i), .inc_multiplies_combine_i(inc_combine_i),
+    .inc_multiplies_effects_i(inc_effects_i),
     .looked_i(looked), .hits_i(hits), .misses_i(misses), .duplicates_i(duplicates),
     .color_i(looked_color), .draw_i(looked_draw), .number_i(counter_number_i), .value_o(counter_o)
   );

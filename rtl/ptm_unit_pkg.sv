@@ -12,13 +12,25 @@ package ptm_unit_pkg;
   localparam int SideBits  = 13;  // a texture's width or height
   localparam int IndexBits = 12;  // of a texel in its row
   localparam int Fields    = 26;  // of a filtered fragment
-  localparam int Counters  = 37;
+  localparam int Counters  = 38;
+  localparam int GroupBits = 4;   // of a beat's number in its footprint: 15 words, one TMU
+  // Effects: the most that a unit may be built with (docs/spec/effects.md)
+  localparam int SetsMax   = 4;
+  localparam int PassesMax = 4;
+  localparam int StagesMax = 8;
+  localparam int AddendW   = 13;  // Q9.4
   // Widths of the structs below. Ports that hold several of them are plain vectors, item 0 lowest:
   // Yosys 0.23 reads `draw_t [3:0] port` as one draw_t, without a word.
   localparam int TextureW = 2 * SideBits + 4 + LevelsMax * LineBits;
   localparam int DrawW    = 27 + 2 * TextureW + 6 * 12 + 6 * 5 + 2 + 27;
   localparam int TapsW    = 4 + 4 * 32;
-  localparam int BeatW    = 2 * PixelBits + 2 * LightMax + 1 + DrawBits + 3 + 2 + 3 + 2 * 25 + 2;
+  localparam int BeatW    = 2 * PixelBits + 2 * LightMax + 1 + DrawBits + 3 + 2 + GroupBits +
+                            2 * 25 + 2;
+  localparam int EffectW  = 3 + 4 * PassesMax + 3 + StagesMax + 32 + SetsMax * (6 * 12 + 6 * 5);
+  // Where an effect_t keeps what
+  localparam int EffectBiasAt = SetsMax * 6 * 5, EffectArgumentAt = EffectBiasAt + SetsMax * 6 * 12;
+  localparam int EffectStagesAt = EffectArgumentAt + 32, EffectSetsAt = EffectStagesAt + StagesMax;
+  localparam int EffectPassAt = EffectSetsAt + 3, EffectPassesAt = EffectPassAt + 4 * PassesMax;
 
   localparam logic [2:0] FormatNone = 0, FormatLrgb = 1, FormatRgb = 2, FormatPaletteLrgb = 3,
                          FormatPaletteRgb = 4;
@@ -52,6 +64,27 @@ package ptm_unit_pkg;
     logic [8:0]         kd;
     logic [8:0]         ks;
   } draw_t;
+
+  // What effects add to a draw; a part that is not built in is 0
+  typedef struct packed {
+    logic [2:0]                passes;
+    logic [PassesMax-1:0][3:0] pass;      // half, set [2:0]
+    logic [2:0]                sets;
+    logic [StagesMax-1:0]      stages;
+    logic [31:0]               argument;
+    logic [6*SetsMax-1:0][11:0] bias;     // six a set
+    logic [6*SetsMax-1:0][4:0]  shift;
+  } effect_t;
+
+  // A pixel behind the combine stage
+  typedef struct packed {
+    logic [PixelBits-1:0] x;
+    logic [PixelBits-1:0] y;
+    logic [DrawBits-1:0]  draw;
+    logic [2:0][7:0]      rgb;    // red lowest
+    logic [7:0]           alpha;
+    logic [1:0]           flags;  // lum_saturated, color_saturated
+  } pixel_t;
 
   typedef struct packed {
     logic [PixelBits-1:0]        x;
@@ -87,7 +120,7 @@ package ptm_unit_pkg;
     logic [2:0]                 probes_log2;
     logic                       first_probe;  // of the fragment
     logic                       second;       // footprint m = 1
-    logic [2:0]                 group;        // beat of the footprint: words group * tmus ..
+    logic [GroupBits-1:0]       group;        // beat of the footprint: words group * tmus ..
     weights_t                   ptm;
     weights_t                   color;
     logic                       last;         // beat of the fragment

@@ -5,7 +5,12 @@
 // that hold nothing read as 0 and are not written. Writing a draw's control starts its check, which
 // looks at one level a cycle, the map's 13 and then the colour texture's, in 26 cycles; draws whose
 // control is written meanwhile wait, the lowest first.
-module ptm_unit_registers (
+module ptm_unit_registers #(
+  parameter int HalfVector  = 0,  // effects, as ptm_unit
+  parameter int ExtraSets   = 0,
+  parameter int ExtraPasses = 0,
+  parameter int Stages      = 0
+) (
   input  logic        clk_i,
   input  logic        rst_ni,
   // The register port
@@ -14,6 +19,10 @@ module ptm_unit_registers (
   input  logic [31:0] reg_wdata_i,
   output logic [31:0] reg_rdata_o,
   output logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_o,  // draw_t, draw 0 lowest
+  output logic [ptm_unit_pkg::Draws*ptm_unit_pkg::EffectW-1:0] effects_o,  // effect_t
+  output logic        table_we_o,    // tables of effects
+  output logic [9:0]  table_addr_o,
+  output logic [11:0] table_data_o,
   output logic        error_o,       // a draw that was written is illegal
   output logic        checking_o,    // a draw is looked at, or waits for it
   input  logic        busy_i,        // fragments inside
@@ -132,15 +141,37 @@ module ptm_unit_registers (
     if (we_draws && reg_addr_i[5:0] == 6'd0) we_control[reg_addr_i[7:6]] = 1'b1;
   end
 
+  // Effects
+  localparam int EffectW = ptm_unit_pkg::EffectW;
+  logic               active_q;      // a draw is checked,
+  logic [1:0]         check_draw_q;  // this one
+  logic [EffectW-1:0] effect;        // its
+  if (ExtraSets == 0 && ExtraPasses == 0 && Stages == 0) begin : gen_no_effects
+    assign effects_o  = '0;
+    assign table_we_o = 1'b0;
+    assign {table_addr_o, table_data_o} = '0;
+    assign effect     = '0;
+  end else begin : gen_effects
+    ptm_effect_registers #(
+      .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
+    ) u_effect_registers (
+      .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
+      .reg_wdata_i(reg_wdata_i), .effects_o(effects_o), .table_we_o(table_we_o),
+      .table_addr_o(table_addr_o), .table_data_o(table_data_o)
+    );
+    ptm_by_draw #(.Width(EffectW)) u_checked (
+      .values_i(effects_o), .draw_i(check_draw_q), .value_o(effect)
+    );
+  end
+
   // The check: one level of one texture a cycle
-  logic             active_q, texture_q;
+  logic             texture_q;
   logic [3:0]       level_q;
   logic [Draws-1:0] waiting_q;
   logic [2:0]       seen_q;    // control, levels, size: errors so far
   logic             beyond_q;  // error 4 so far
   logic [4*Draws-1:0] errors_q;
 
-  logic [1:0]       check_draw_q;
   logic [2:0]       format, combine;
   logic [1:0]       mip, wrap_u, wrap_v;
   logic             color;
@@ -174,7 +205,10 @@ module ptm_unit_registers (
   end
 
   logic bad_size, bad_levels, bad_control, beyond;
-  ptm_draw_check u_check (
+  ptm_draw_check #(
+    .HalfVector(HalfVector), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
+  ) u_check (
+    .effect_i(effect),
     .format_i(format), .mip_i(mip), .wrap_u_i(wrap_u), .wrap_v_i(wrap_v), .combine_i(combine),
     .color_i(color), .texture_i(texture_q), .width_i(width), .height_i(height),
     .levels_i(levels), .level_i(level_q), .base_i(base), .memory_lines_i(memory_lines_q),

@@ -4,9 +4,12 @@
 // {10, 11}; in v into {00, 10} then {01, 11}; in both into four. One sub-beat a cycle; A3 is
 // emptied with the last. docs/spec/unit-timing.md, Seam split.
 //
-// TMU t has word group * Tmus + t of the draw: the map's planes, then the colour texture.
+// TMU t has word group * Tmus + t of the draw: the map's planes, the colour texture, the sets'
+// planes, which are the map's behind its own.
 module ptm_unit_split #(
-  parameter int Tmus = 3
+  parameter int Tmus      = 3,
+  parameter int ExtraSets = 0,  // 0..4
+  localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits
 ) (
   input  logic                        clk_i,
   input  logic                        rst_ni,
@@ -14,7 +17,8 @@ module ptm_unit_split #(
   input  logic                        valid_i,
   output logic                        ready_o,  // with the last sub-beat
   input  ptm_unit_pkg::beat_t         beat_i,
-  input  logic [2:0]                  planes_i,
+  input  logic [2:0]                  planes_i,   // the map's own
+  input  logic [2:0]                  sets_i,     // two planes more each
   input  logic                        color_i,
   input  ptm_unit_front_pkg::texels_t map_i,
   input  ptm_unit_front_pkg::texels_t color_texels_i,
@@ -25,7 +29,7 @@ module ptm_unit_split #(
   // By TMU: what its word is
   output logic [Tmus-1:0]             fetched_o,  // it has one, and its texture has taps
   output logic [Tmus-1:0]             color_o,    // of the colour texture
-  output logic [3*Tmus-1:0]           plane_o,
+  output logic [Tmus*PlaneBits-1:0]   plane_o,
   // Counters' increments, in the cycle in which a sub-beat leaves
   output logic                        inc_conflicts_o,
   output logic [1:0]                  inc_words_o,
@@ -36,7 +40,18 @@ module ptm_unit_split #(
   assign first_word = 5'(beat_i.group) * 5'(Tmus);
   assign past_word  = first_word + 5'(Tmus);
   logic has_map, has_color;  // words of the beat, fetched or not
-  assign has_map   = first_word < 5'(planes_i);
+  logic [4:0] set_words, past_words;   // the first of the sets' words, and past the last
+  if (ExtraSets == 0) begin : gen_own
+    assign has_map    = first_word < 5'(planes_i);
+    assign set_words  = '0;
+    assign past_words = '0;
+    logic unused_sets;
+    assign unused_sets = ^{sets_i, set_words, past_words};
+  end else begin : gen_sets
+    assign set_words  = 5'(planes_i) + 5'(color_i);
+    assign past_words = set_words + {1'b0, sets_i, 1'b0};
+    assign has_map    = first_word < 5'(planes_i) || (sets_i != '0 && set_words < past_word);
+  end
   assign has_color = color_i && first_word <= 5'(planes_i) && 5'(planes_i) < past_word;
 
   logic reads_map, reads_color, split_u, split_v;
@@ -67,10 +82,22 @@ module ptm_unit_split #(
 
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     logic [4:0] word;
-    assign word              = first_word + 5'(t);
-    assign color_o[t]        = word >= 5'(planes_i);
-    assign fetched_o[t]      = color_o[t] ? reads_color && word == 5'(planes_i) : reads_map;
-    assign plane_o[t*3 +: 3] = color_o[t] ? 3'd0 : word[2:0];
+    assign word = first_word + 5'(t);
+    if (ExtraSets == 0) begin : gen_word
+      assign color_o[t]   = word >= 5'(planes_i);
+      assign fetched_o[t] = color_o[t] ? reads_color && word == 5'(planes_i) : reads_map;
+      assign plane_o[t*PlaneBits +: PlaneBits] = color_o[t] ? '0 : PlaneBits'(word[2:0]);
+    end else begin : gen_set_word
+      logic       of_set;
+      logic [4:0] plane;
+      assign of_set       = word >= set_words && word < past_words;
+      assign color_o[t]   = word >= 5'(planes_i) && !of_set;
+      assign fetched_o[t] = color_o[t] ? reads_color && word == 5'(planes_i) : reads_map;
+      assign plane        = of_set && color_i ? word - 5'd1 : word;
+      assign plane_o[t*PlaneBits +: PlaneBits] = color_o[t] ? '0 : plane[PlaneBits-1:0];
+      logic unused_plane;
+      assign unused_plane = plane[4];
+    end
   end
 
   always_comb begin

@@ -10,6 +10,7 @@ module ptm_unit_tags #(
   parameter int Sets = 32,  // of a bank
   parameter int Ways = 2,
   localparam int LineBits = ptm_unit_pkg::LineBits,
+  localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits,
   localparam int TakenW   = ptm_unit_front_pkg::TakenW,
   localparam int ReadsW   = ptm_unit_front_pkg::ReadsW
 ) (
@@ -29,7 +30,7 @@ module ptm_unit_tags #(
   input  logic [3:0]              taps_i,
   input  logic [Tmus-1:0]         fetched_i,
   input  logic [Tmus-1:0]         color_i,
-  input  logic [3*Tmus-1:0]       plane_i,
+  input  logic [Tmus*PlaneBits-1:0] plane_i,
   // A rank to the miss ring: lines of the TMUs in miss_valid_o, all or none
   output logic [Tmus-1:0]          miss_valid_o,
   output logic [Tmus*LineBits-1:0] miss_line_o,
@@ -153,10 +154,10 @@ module ptm_unit_tags #(
   assign any_miss = misses_o != '0;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     // A word's look-ups are its texture's, moved by its plane
-    logic [2:0]            plane;
+    logic [PlaneBits-1:0]  plane;
     logic [2*SetBits-1:0]  hash_x, hash_y, low_x, low_y;
     logic [2*LineBits-1:0] row, column;
-    assign plane  = plane_i[t*3 +: 3];
+    assign plane  = plane_i[t*PlaneBits +: PlaneBits];
     assign hash_x = color_i[t] ? color_hash_x : map_hash_x;
     assign hash_y = color_i[t] ? color_hash_y : map_hash_y;
     assign low_x  = color_i[t] ? color_low_x : map_low_x;

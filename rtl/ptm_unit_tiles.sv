@@ -5,9 +5,10 @@
 //                = row line + column line; the word's plane is added where it is known
 //   collides     = i0 != i1 and (i0, i1 have the same parity, or their tiles differ and have it)
 //                                                                  docs/spec/unit-timing.md, A3
-// Two multiplies, one a row of tiles; times 1, 3 or 6 planes is additions.
+// Two multiplies, one a row of tiles; times 1, 3 or 6 planes, and two a set, is additions.
 // Twin: ptm::reference::place_of() in model/reference/unit/beats.h. Combinational.
 module ptm_unit_tiles #(
+  parameter int ExtraSets = 0,  // 0..4
   localparam int LineBits = ptm_unit_pkg::LineBits
 ) (
   input  logic                        enable_i,     // the draw has this texture
@@ -18,6 +19,7 @@ module ptm_unit_tiles #(
   input  logic [31:0]                 product_v_i,
   input  ptm_unit_front_pkg::level_t  level_i,
   input  logic [2:0]                  planes_i,     // 1, 3, 6
+  input  logic [2:0]                  sets_i,       // 0..4, two planes more each
   output logic [7:0]                  wu_o,
   output logic [7:0]                  wv_o,
   output ptm_unit_front_pkg::texels_t       texels_o,
@@ -49,6 +51,12 @@ module ptm_unit_tiles #(
     three        = one + (one << 1);
     times_planes = planes == 3'd1 ? one : planes == 3'd3 ? three : three << 1;
   endfunction
+  function automatic logic [LineBits-1:0] times_sets(input logic [20:0] tiles,
+                                                     input logic [2:0] sets);
+    logic [LineBits-1:0] two;
+    two        = LineBits'(tiles) << 1;
+    times_sets = sets[2] ? two << 2 : (sets[0] ? two : '0) + (sets[1] ? two << 1 : '0);
+  endfunction
   logic [LineBits-1:0] row0, row1, column0, column1;
   always_comb begin
     before0 = '0;
@@ -75,9 +83,24 @@ module ptm_unit_tiles #(
   assign collides_v     = rows && j0 != j1 &&
                           (j0[0] == j1[0] || (j0[11:2] != j1[11:2] && j0[2] == j1[2]));
   assign texels_o       = {i1, i0, j1, j0, level_i.level, columns, rows, collides_u, collides_v};
-  assign row_lines_o    = {row1, row0};
-  assign column_lines_o = {column1[12:0], column0[12:0]};
+
+  // With the sets' planes
+  logic [LineBits-1:0] column0_all, column1_all;
+  if (ExtraSets == 0) begin : gen_own
+    assign row_lines_o = {row1, row0};
+    assign column0_all = {{(LineBits-13){1'b0}}, column0[12:0]};
+    assign column1_all = {{(LineBits-13){1'b0}}, column1[12:0]};
+    logic unused_sets;
+    assign unused_sets = ^{sets_i, column0[25:13], column1[25:13]};
+  end else begin : gen_sets
+    logic [2:0] sets;
+    assign sets        = enable_i ? sets_i : '0;
+    assign row_lines_o = {row1 + times_sets(before1, sets), row0 + times_sets(before0, sets)};
+    assign column0_all = column0 + times_sets(21'(i0[11:2]), sets);
+    assign column1_all = column1 + times_sets(21'(i1[11:2]), sets);
+  end
+  assign column_lines_o = {column1_all[13:0], column0_all[13:0]};
 
   logic unused_bits;
-  assign unused_bits = ^{rounded_up[1:0], column0[25:13], column1[25:13]};
+  assign unused_bits = ^{rounded_up[1:0], column0_all[25:14], column1_all[25:14]};
 endmodule

@@ -1,6 +1,8 @@
-// Modules of the texture unit that the evaluator has not; read after rtl/files.f.
+// Modules of the texture unit that the evaluator has not; read after rtl/files.f. The stages of
+// effects and their chain (rtl/effects) are found by their names.
 rtl/ptm_unit_pkg.sv
 rtl/ptm_unit_front_pkg.sv
+rtl/ptm_by_draw.sv
 rtl/ptm_unit_probe.sv
 rtl/ptm_unit_level.sv
 rtl/ptm_unit_wrap.sv
@@ -35,12 +37,17 @@ rtl/ptm_lane_tap.sv
 rtl/ptm_filter_lane.sv
 rtl/ptm_filter_field.sv
 rtl/ptm_filter_fields.sv
+rtl/ptm_filter_sets.sv
+rtl/ptm_extra_passes.sv
 rtl/ptm_filter.sv
 rtl/ptm_combine_products.sv
 rtl/ptm_combine_scale.sv
 rtl/ptm_combine.sv
 rtl/ptm_multiply_count.sv
+rtl/ptm_effects.sv
 rtl/ptm_unit_back.sv
 rtl/ptm_draw_check.sv
+rtl/ptm_effect_registers.sv
 rtl/ptm_unit_registers.sv
+rtl/ptm_half_fifo.sv
 rtl/ptm_unit.sv

@@ -36,9 +36,10 @@ double area_of(const Polygon& polygon) {
   return std::abs(twice) / 2;
 }
 
+template <class Texture>
 class Averager {
  public:
-  Averager(const MipTexture& texture, const PixelFootprint& footprint, WrapMode wrap_u,
+  Averager(const Texture& texture, const PixelFootprint& footprint, WrapMode wrap_u,
            WrapMode wrap_v, const std::array<double, 2>& light)
       : texture_(texture),
         wrap_u_(wrap_u),
@@ -122,7 +123,7 @@ class Averager {
     weight_ += weight;
   }
 
-  const MipTexture& texture_;
+  const Texture& texture_;
   WrapMode wrap_u_, wrap_v_;
   std::array<double, 2> light_;
   int width_, height_;
@@ -134,6 +135,11 @@ class Averager {
 }  // namespace
 
 Rgba area_average(const MipTexture& texture, const PixelFootprint& footprint, WrapMode wrap_u,
+                  WrapMode wrap_v, const std::array<double, 2>& light) {
+  return Averager(texture, footprint, wrap_u, wrap_v, light).average();
+}
+
+Rgba area_average(const AddendView& texture, const PixelFootprint& footprint, WrapMode wrap_u,
                   WrapMode wrap_v, const std::array<double, 2>& light) {
   return Averager(texture, footprint, wrap_u, wrap_v, light).average();
 }

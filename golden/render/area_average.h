@@ -22,6 +22,10 @@ struct PixelFootprint {
 [[nodiscard]] Rgba area_average(const MipTexture& texture, const PixelFootprint& footprint,
                                 WrapMode wrap_u, WrapMode wrap_v,
                                 const std::array<double, 2>& light);
+/// The same of what effects add.
+[[nodiscard]] Rgba area_average(const AddendView& texture, const PixelFootprint& footprint,
+                                WrapMode wrap_u, WrapMode wrap_v,
+                                const std::array<double, 2>& light);
 inline constexpr double kMostTexels = 65536;
 inline constexpr int kGrid = 256;
 inline constexpr double kLeastArea = 1e-9;

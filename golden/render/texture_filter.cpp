@@ -35,7 +35,8 @@ Rgba mix(const Rgba& a, const Rgba& b, double weight) {
   return out;
 }
 
-Rgba within_level(const MipTexture& texture, const TextureQuery& query, int level, double u,
+template <class Texture>
+Rgba within_level(const Texture& texture, const TextureQuery& query, int level, double u,
                   double v) {
   const Neighbours x = neighbours(u, texture.width(level), query.wrap_u, query.filter.bilinear);
   const Neighbours y = neighbours(v, texture.height(level), query.wrap_v, query.filter.bilinear);
@@ -48,7 +49,8 @@ Rgba within_level(const MipTexture& texture, const TextureQuery& query, int leve
   return y.weight == 0 ? first : mix(first, row(y.second), y.weight);
 }
 
-Rgba one_probe(const MipTexture& texture, const TextureQuery& query, double u, double v) {
+template <class Texture>
+Rgba one_probe(const Texture& texture, const TextureQuery& query, double u, double v) {
   const int last = texture.levels() - 1;
   const double lod = std::clamp(query.lod, 0.0, static_cast<double>(last));
   switch (query.filter.mip) {
@@ -65,6 +67,19 @@ Rgba one_probe(const MipTexture& texture, const TextureQuery& query, double u, d
   return f == 0 ? finer : mix(finer, within_level(texture, query, level + 1, u, v), f);
 }
 
+template <class Texture>
+Rgba filtered(const Texture& texture, const TextureQuery& query) {
+  Rgba sum{};
+  for (int k = 0; k < query.probes; ++k) {
+    const double along = k + 0.5 - query.probes / 2.0;
+    const Rgba probe =
+        one_probe(texture, query, query.u + along * query.axis_u, query.v + along * query.axis_v);
+    for (std::size_t c = 0; c < 4; ++c) sum[c] += probe[c];
+  }
+  for (double& value : sum) value /= query.probes;
+  return sum;
+}
+
 }  // namespace
 
 double wrapped(double coordinate, WrapMode mode) {
@@ -76,15 +91,11 @@ double wrapped(double coordinate, WrapMode mode) {
 }
 
 Rgba filter_texture(const MipTexture& texture, const TextureQuery& query) {
-  Rgba sum{};
-  for (int k = 0; k < query.probes; ++k) {
-    const double along = k + 0.5 - query.probes / 2.0;
-    const Rgba probe =
-        one_probe(texture, query, query.u + along * query.axis_u, query.v + along * query.axis_v);
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += probe[c];
-  }
-  for (double& value : sum) value /= query.probes;
-  return sum;
+  return filtered(texture, query);
+}
+
+Rgba filter_texture(const AddendView& texture, const TextureQuery& query) {
+  return filtered(texture, query);
 }
 
 }  // namespace ptm::golden

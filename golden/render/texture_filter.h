@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "golden/render/addend_texture.h"
 #include "golden/render/mip_levels.h"
 
 /// Filters lit texels in real arithmetic: docs/spec/unit.md, U1 to U9, without their rounding.
@@ -26,6 +27,9 @@ struct TextureQuery {
 /// linearly. Coordinates wrap first; a neighbour beyond the edge is then the one at the other side
 /// (repeat) or the edge's own (mirror, clamp).
 [[nodiscard]] Rgba filter_texture(const MipTexture& texture, const TextureQuery& query);
+
+/// The same of what effects add: "lights texels first, then filters" holds for it too.
+[[nodiscard]] Rgba filter_texture(const AddendView& texture, const TextureQuery& query);
 
 /// A coordinate within one period: repeat and mirror give [0, 1], clamp limits to that.
 [[nodiscard]] double wrapped(double coordinate, WrapMode mode);

@@ -24,12 +24,21 @@ ImageReal picture_of(const UnitScene& scene, std::span<const SurfaceSample> samp
     const std::size_t end = std::min((n + 1) * chunk, samples.size());
     for (std::size_t i = n * chunk; i < end; ++i) {
       const SurfaceSample& sample = samples[i];
-      const Rgb color =
-          shade(sample, light == LightFrom::pixel ? sample.light : sample.light_vertex);
+      const bool exact = light == LightFrom::pixel;
+      const Rgb color = shade(sample, exact ? sample.light : sample.light_vertex,
+                              exact ? sample.half : sample.half_vertex);
       std::copy(color.begin(), color.end(), &image.at(sample.x, sample.y));
     }
   });
   return image;
+}
+
+/// Whether an effect of the draw does more than change what is loaded or asked.
+bool changes_pixels(const DrawSpec& draw) {
+  return std::any_of(draw.effects.begin(), draw.effects.end(), [](const EffectSpec& spec) {
+    const Effect* effect = find_effect(spec.effect);
+    return effect && effect->pixel;
+  });
 }
 
 }  // namespace
@@ -62,7 +71,8 @@ Rgb combine_colors(const DrawSpec& draw, const Rgba& lit, const Rgba& color) {
   return out;
 }
 
-UnitRenderer::UnitRenderer(const UnitScene& scene, const LoadedTextures& textures)
+UnitRenderer::UnitRenderer(const UnitScene& scene, const LoadedTextures& textures,
+                           std::span<const DrawExtras> extras)
     : scene_(&scene) {
   for (std::size_t t = 0; t < textures.size(); ++t) {
     const bool levels =
@@ -73,21 +83,34 @@ UnitRenderer::UnitRenderer(const UnitScene& scene, const LoadedTextures& texture
     mips_.emplace_back(textures[t], levels);
   }
   for (const DrawSpec& draw : scene.draws) color_lods_.push_back(color_lod(draw, textures));
+  for (std::size_t d = 0; d < extras.size(); ++d) {
+    addends_.emplace_back();
+    const DrawSpec& draw = scene.draws[d];
+    if (!changes_pixels(draw)) continue;
+    addends_.back().emplace(draw.map >= 0 ? &textures[index(draw.map)] : nullptr, draw, extras[d],
+                            draw.filter.mip != MipMode::none);
+  }
 }
 
 template <class Ask>
-Rgb UnitRenderer::combined(const SurfaceSample& sample, const Ask& ask) const {
+Rgb UnitRenderer::combined(const SurfaceSample& sample, const std::array<double, 2>& half,
+                           const Ask& ask) const {
   const DrawSpec& draw = scene_->draws[index(sample.draw)];
   Rgba lit{0, 0, 0, 255}, color{};
   if (draw.map >= 0 && sample.lit) lit = ask(mips_[index(draw.map)], draw, 0);
   if (draw.color >= 0) {
     color = ask(mips_[index(draw.color)], draw, color_lods_[index(sample.draw)]);
   }
-  return combine_colors(draw, lit, color);
+  const Rgb plain = combine_colors(draw, lit, color);
+  if (addends_.empty() || !addends_[index(sample.draw)]) return plain;
+  const AddendTexture& addend = *addends_[index(sample.draw)];
+  const bool adds = addend.passes() > 0 && sample.lit;
+  return addend.pixel(adds ? ask(AddendView{&addend, half}, draw, 0) : Rgba{}, plain);
 }
 
-Rgb UnitRenderer::shade(const SurfaceSample& sample, const std::array<double, 2>& light) const {
-  return combined(sample, [&](const MipTexture& texture, const DrawSpec& draw, double more) {
+Rgb UnitRenderer::shade(const SurfaceSample& sample, const std::array<double, 2>& light,
+                        const std::array<double, 2>& half) const {
+  return combined(sample, half, [&](const auto& texture, const DrawSpec& draw, double more) {
     return filter_texture(texture, {.u = sample.u,
                                     .v = sample.v,
                                     .axis_u = sample.axis_u,
@@ -101,9 +124,9 @@ Rgb UnitRenderer::shade(const SurfaceSample& sample, const std::array<double, 2>
   });
 }
 
-Rgb UnitRenderer::area_average(const SurfaceSample& sample,
-                               const std::array<double, 2>& light) const {
-  return combined(sample, [&](const MipTexture& texture, const DrawSpec& draw, double) {
+Rgb UnitRenderer::area_average(const SurfaceSample& sample, const std::array<double, 2>& light,
+                               const std::array<double, 2>& half) const {
+  return combined(sample, half, [&](const auto& texture, const DrawSpec& draw, double) {
     const PixelFootprint footprint{.u = sample.u,
                                    .v = sample.v,
                                    .dudx = sample.dudx,
@@ -117,14 +140,17 @@ Rgb UnitRenderer::area_average(const SurfaceSample& sample,
 ImageReal render_samples(const UnitScene& scene, const UnitRenderer& renderer,
                          std::span<const SurfaceSample> samples, LightFrom light) {
   return picture_of(scene, samples, light,
-                    [&](const SurfaceSample& s, const auto& l) { return renderer.shade(s, l); });
+                    [&](const SurfaceSample& s, const auto& l, const auto& h) {
+                      return renderer.shade(s, l, h);
+                    });
 }
 
 ImageReal exact_area_average(const UnitScene& scene, const UnitRenderer& renderer,
                              std::span<const SurfaceSample> samples, LightFrom light) {
-  return picture_of(scene, samples, light, [&](const SurfaceSample& s, const auto& l) {
-    return renderer.area_average(s, l);
-  });
+  return picture_of(scene, samples, light,
+                    [&](const SurfaceSample& s, const auto& l, const auto& h) {
+                      return renderer.area_average(s, l, h);
+                    });
 }
 
 }  // namespace ptm::golden

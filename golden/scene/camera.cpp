@@ -20,4 +20,9 @@ PixelRay Camera::ray(int x, int y) const {
   return {{position_, ahead_ + offset}, {none, right_}, {none, down_}};
 }
 
+Vec3 Camera::toward(const Vec3& point) const {
+  if (orthographic_) return -ahead_;
+  return (position_ - point).normalized();
+}
+
 }  // namespace ptm::golden

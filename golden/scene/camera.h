@@ -19,6 +19,8 @@ class Camera {
   /// Through the centre of a pixel. The direction is not of unit length: its part along the view
   /// is 1.
   [[nodiscard]] PixelRay ray(int x, int y) const;
+  /// From a point of the world toward the camera; of unit length unless the point is the camera.
+  [[nodiscard]] Vec3 toward(const Vec3& point) const;
 
  private:
   Vec3 position_, ahead_, right_, down_;  ///< right_ and down_ a pixel long

@@ -1,3 +1,4 @@
+#include "golden/effects/effect.h"
 #include "golden/scene/scene_parts.h"
 
 namespace ptm::golden {
@@ -41,15 +42,29 @@ Value shared(const TableReader& table, const std::optional<Value>& map,
   return map ? *map : color ? *color : otherwise;
 }
 
+/// Whether an effect makes the draw's colour picture. Both from a scene and from an effect it
+/// cannot come.
+bool color_from_effect(const TableReader& table, const DrawSpec& draw) {
+  for (const EffectSpec& spec : draw.effects) {
+    if (!find_effect(spec.effect)->brings_color) continue;
+    if (draw.color >= 0) {
+      table.fail("color", "a colour texture beside " + spec.effect, "one of them: both are it");
+    }
+    return true;
+  }
+  return false;
+}
+
 void read_combine(const TableReader& table, DrawSpec& draw) {
-  draw.combine = draw.color < 0 ? CombineMode::none
-                 : draw.map < 0 ? CombineMode::replace
-                                : CombineMode::modulate;
+  const bool made = color_from_effect(table, draw), colored = draw.color >= 0 || made;
+  draw.combine = !colored               ? CombineMode::none
+                 : made || draw.map < 0 ? CombineMode::replace
+                                        : CombineMode::modulate;
   table.choose<CombineMode>("combine", draw.combine, kCombines);
-  if (draw.color < 0 && draw.combine != CombineMode::none) {
+  if (!colored && draw.combine != CombineMode::none) {
     table.fail("combine", "a combine without a colour texture", "'color', or combine = \"none\"");
   }
-  if (draw.color >= 0 && draw.combine == CombineMode::none) {
+  if (colored && draw.combine == CombineMode::none) {
     table.fail("combine", "'none' with a colour texture", "a combine that uses it");
   }
   if (draw.map < 0 && draw.combine != CombineMode::replace) {
@@ -73,6 +88,7 @@ DrawSpec read_draw(const TableReader& table, const std::vector<TextureSpec>& tex
   if (draw.map < 0 && draw.color < 0) {
     table.fail("", "neither 'texture' nor 'color'", "at least one of them");
   }
+  draw.effects = read_effects(table, textures);
   read_combine(table, draw);
   const TextureSpec none;
   const TextureSpec& map = draw.map < 0 ? none : textures[static_cast<std::size_t>(draw.map)];

@@ -7,18 +7,14 @@
 #include <numbers>
 
 #include "golden/bump/bump_map.h"
+#include "golden/scene/effect_patterns.h"
+#include "golden/scene/image_stack.h"
 #include "golden/scene/noise.h"
 #include "golden/scene/slab.h"
+#include "golden/scene/tablet.h"
 
 namespace ptm::golden {
 namespace {
-
-/// What a pattern is at one texel. Normal: u right, v up, w to the viewer.
-struct Stuff {
-  Vec3 normal{0, 0, 1};
-  std::array<double, 3> color{};  ///< 0..1
-  double alpha = 1;
-};
 
 /// Where in its cell of n x n cells a texel lies: -1..1 each, y down.
 struct InCell {
@@ -81,6 +77,9 @@ Stuff stuff_at(const TextureSpec& spec, int x, int y) {
   if (spec.pattern == "checker") return checker(u, v);
   if (spec.pattern == "studs") return studs(u, v);
   if (spec.pattern == "noise") return noise(spec.seed, x, y);
+  if (spec.pattern == "disc") return disc_at(spec.seed, u, v);
+  if (spec.pattern == "metal") return metal_at(spec.seed, u, v);
+  if (spec.pattern == "gloss") return gloss_at(spec.seed, u, v);
   // A texel's own width, in half widths of the slab; coarse maps do not skip over its carvings.
   if (spec.pattern == "relief") {
     return slab(spec.seed, u, v, std::min(0.01, 1.0 / spec.size[0]),
@@ -100,10 +99,22 @@ void add_polynomials(const Vec3& normal, const NormalTable& table, double streng
   for (const double a : table.find({n.x(), n.y(), n.z()})) coef.push_back(255 * strength * a);
 }
 
+void add_steady(double strength, std::vector<double>& coef) {
+  coef.insert(coef.end(), {0, 0, 0, 0, 0, 255 * strength});
+}
+
 void add_map_texel(const Stuff& stuff, const NormalTable& table, LoadedTexture& texture) {
   if (texture.polynomials == 1) {
-    add_polynomials(stuff.normal, table, 1, texture.coef);
+    if (stuff.steady) {
+      add_steady(1, texture.coef);
+    } else {
+      add_polynomials(stuff.normal, table, 1, texture.coef);
+    }
     for (const double c : stuff.color) texture.color.push_back(level(c));
+    return;
+  }
+  if (stuff.steady) {
+    for (const double c : stuff.color) add_steady(c, texture.coef);
     return;
   }
   const Vec3 n = stuff.normal.normalized();
@@ -120,7 +131,17 @@ void append(std::vector<Value>& to, const std::vector<Value>& more) {
 
 }  // namespace
 
+std::span<const std::string_view> pattern_kinds(std::string_view pattern) {
+  static constexpr std::array<std::string_view, 3> any{"lrgb", "rgb", "picture"};
+  if (pattern == "tablet") return std::span(any).first(1);
+  if (pattern == "focus" || pattern == "tide") return std::span(any).subspan(1, 1);
+  return any;
+}
+
 LoadedTexture generate_texture(const TextureSpec& spec) {
+  if (spec.pattern == "tablet") return make_tablet(spec);
+  if (spec.pattern == "focus") return make_focus_stack(spec);
+  if (spec.pattern == "tide") return make_tide(spec);
   LoadedTexture texture;
   texture.name = spec.name;
   texture.width = spec.size[0];

@@ -163,8 +163,8 @@ ObjectSpec read_object(const TableReader& table, const std::filesystem::path& fo
   if (!table.has("kind")) table.fail("", "no 'kind'", "kind = \"plane\" or the like");
   std::string kind;
   table.read("kind", kind);
-  Names known{"kind",      "texture", "color", "combine",  "ka",       "kd",
-              "translate", "rotate",  "scale", "uv_scale", "uv_offset"};
+  Names known{"kind",      "texture", "color", "combine",  "ka",        "kd",
+              "translate", "rotate",  "scale", "uv_scale", "uv_offset", "effect"};
   if (kind == "mesh") {
     known.insert(known.end(), {"file", "mapping"});
     table.only(known);

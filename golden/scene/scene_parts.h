@@ -30,6 +30,10 @@ inline constexpr std::array<std::pair<std::string_view, ShapeKind>, 3> kShapeNam
 [[nodiscard]] DrawSpec read_draw(const TableReader& table,
                                  const std::vector<TextureSpec>& textures);
 
+/// The tables of [[object.effect]], in the order of the rows of effects.def.
+[[nodiscard]] std::vector<EffectSpec> read_effects(const TableReader& object,
+                                                   const std::vector<TextureSpec>& textures);
+
 [[nodiscard]] HardwareSpec read_hardware_spec(const TableReader& table);
 [[nodiscard]] MemorySpec read_memory(const TableReader& table);
 [[nodiscard]] StressSpec read_stress(const TableReader& table);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/effects/effect.h"
 #include "golden/scene/camera.h"
 #include "golden/scene/placed_object.h"
 
@@ -25,23 +26,74 @@ struct LocalLight {
   bool lit = true;
 };
 
-LocalLight local_light(const LightSpec& light, const SurfacePoint& point, double side) {
-  if (light.kind == LightKind::local) return {{light.vector.x(), light.vector.y()}, true};
-  const Vec3 toward =
-      light.kind == LightKind::point ? Vec3(light.vector - point.position) : light.vector;
-  // A lamp in the surface itself shines from nowhere.
-  if (!(toward.norm() > 0)) return {{0, 0}, false};
+/// A point's own axes, in the world.
+struct Frame {
+  Vec3 tangent, up, normal;
+  [[nodiscard]] Vec3 local(const Vec3& v) const {
+    return {v.dot(tangent), v.dot(up), v.dot(normal)};
+  }
+};
+
+Frame frame_at(const SurfacePoint& point, double side) {
   const Vec3 facing = side * point.normal;
   // The side seen is the geometry's to say: a file's normals may look either way.
   const Vec3 n = std::copysign(1.0, point.shading.dot(facing)) * point.shading;
-  const Vec3 l = toward.normalized();
   const auto within = [&](const Vec3& direction) { return Vec3(direction - direction.dot(n) * n); };
   Vec3 tangent = within(point.along_u);
   if (!(tangent.norm() > 1e-12 * point.along_u.norm())) tangent = n.unitOrthogonal();
   tangent.normalize();
   Vec3 up = n.cross(tangent);
   if (up.dot(point.along_v) > 0) up = -up;
-  return {{l.dot(tangent), l.dot(up)}, l.dot(n) > 0};
+  return {tangent, up, n};
+}
+
+/// Toward a light of the world, not of unit length; a lamp in the surface itself is at 0.
+Vec3 toward_light(const LightSpec& light, const Vec3& position) {
+  return light.kind == LightKind::point ? Vec3(light.vector - position) : light.vector;
+}
+
+LocalLight local_light(const LightSpec& light, const SurfacePoint& point, double side) {
+  if (light.kind == LightKind::local) return {{light.vector.x(), light.vector.y()}, true};
+  const Vec3 toward = toward_light(light, point.position);
+  // A lamp in the surface itself shines from nowhere.
+  if (!(toward.norm() > 0)) return {{0, 0}, false};
+  const Vec3 l = frame_at(point, side).local(toward.normalized());
+  return {{l.x(), l.y()}, l.z() > 0};
+}
+
+/// Between light and camera, in the point's frame; what is too short to have a direction is (0, 0).
+std::array<double, 2> local_half(const LightSpec& light, const Camera& camera,
+                                 const SurfacePoint& point, double side) {
+  const Frame frame = frame_at(point, side);
+  Vec3 l = light.vector;
+  if (light.kind == LightKind::local) {
+    l.z() = std::sqrt(std::max(0.0, 1 - l.x() * l.x() - l.y() * l.y()));
+  } else {
+    l = toward_light(light, point.position);
+    if (!(l.norm() > 0)) return {0, 0};
+    l = frame.local(l.normalized());
+  }
+  const Vec3 sum = l + frame.local(camera.toward(point.position));
+  constexpr double shortest = 1e-9;
+  if (!(sum.norm() > shortest)) return {0, 0};
+  const Vec3 h = sum.normalized();
+  return {h.x(), h.y()};
+}
+
+/// What a draw's effects do at its samples.
+struct SampleEffects {
+  bool half = false;
+  std::vector<std::pair<const Effect*, const EffectSpec*>> lights;
+};
+SampleEffects sample_effects(const DrawSpec& draw) {
+  SampleEffects found;
+  for (const EffectSpec& spec : draw.effects) {
+    const Effect* effect = find_effect(spec.effect);
+    if (!effect) continue;
+    found.half = found.half || effect->half;
+    if (effect->light) found.lights.emplace_back(effect, &spec);
+  }
+  return found;
 }
 
 /// Change of the hit with the tangent plane.
@@ -89,9 +141,14 @@ void set_footprint(const LoadedTexture& texture, int most_probes, SurfaceSample&
 
 class Sampler {
  public:
-  Sampler(const UnitScene& scene, const LoadedTextures& textures, const LightSpec& light)
-      : scene_(scene), textures_(textures), light_(light), camera_(scene.camera, scene.size) {
+  Sampler(const UnitScene& scene, const LoadedTextures& textures, int frame)
+      : scene_(scene),
+        textures_(textures),
+        light_(scene.lights.at(static_cast<std::size_t>(frame))),
+        frame_(frame),
+        camera_(scene.camera, scene.size) {
     for (const ObjectSpec& spec : scene.objects) objects_.emplace_back(spec);
+    for (const DrawSpec& draw : scene.draws) effects_.push_back(sample_effects(draw));
   }
 
   /// A rectangle's samples in scan lines.
@@ -129,7 +186,21 @@ class Sampler {
     const DrawSpec& draw = scene_.draws[static_cast<std::size_t>(spec.draw)];
     set_footprint(textures_[static_cast<std::size_t>(draw.main_texture())], draw.probes, sample);
     set_light(seen, sample);
+    const SampleEffects& effects = effects_[static_cast<std::size_t>(spec.draw)];
+    if (effects.half) set_half(seen, sample);
+    for (const auto& [effect, keys] : effects.lights) {
+      effect->light(*keys, frame_, sample.light, sample.lit);
+      effect->light(*keys, frame_, sample.light_vertex, sample.lit);
+    }
     return sample;
+  }
+
+  void set_half(const Seen& seen, SurfaceSample& sample) const {
+    sample.half = local_half(light_, camera_, seen.point, seen.side);
+    for (const WeightedCorner& corner : seen.object->corners(seen.place)) {
+      const auto there = local_half(light_, camera_, seen.object->at(corner.place), seen.side);
+      for (std::size_t k = 0; k < 2; ++k) sample.half_vertex[k] += corner.weight * there[k];
+    }
   }
 
   void set_light(const Seen& seen, SurfaceSample& sample) const {
@@ -149,15 +220,17 @@ class Sampler {
   const UnitScene& scene_;
   const LoadedTextures& textures_;
   const LightSpec& light_;
+  int frame_;
   Camera camera_;
   std::vector<PlacedObject> objects_;
+  std::vector<SampleEffects> effects_;  ///< one a draw
 };
 
 }  // namespace
 
 std::vector<SurfaceSample> make_samples(const UnitScene& scene, const LoadedTextures& textures,
                                         int frame) {
-  const Sampler sampler(scene, textures, scene.lights.at(static_cast<std::size_t>(frame)));
+  const Sampler sampler(scene, textures, frame);
   const bool tiled = scene.traversal == Traversal::tiles;
   const int wide = tiled ? scene.tile : scene.size[0], high = tiled ? scene.tile : 1;
   const int across = (scene.size[0] + wide - 1) / wide, down = (scene.size[1] + high - 1) / high;
@@ -179,7 +252,7 @@ std::vector<SurfaceSample> make_samples(const UnitScene& scene, const LoadedText
 
 std::optional<SurfaceSample> sample_pixel(const UnitScene& scene, const LoadedTextures& textures,
                                           int frame, int x, int y) {
-  const Sampler sampler(scene, textures, scene.lights.at(static_cast<std::size_t>(frame)));
+  const Sampler sampler(scene, textures, frame);
   std::vector<SurfaceSample> samples;
   sampler.add(x, y, x + 1, y + 1, samples);
   if (samples.empty()) return std::nullopt;

@@ -22,6 +22,8 @@ struct SurfaceSample {
   std::array<double, 2> light{};         ///< (lu, lv), exact at the pixel
   std::array<double, 2> light_vertex{};  ///< the same interpolated from the triangle's corners
   bool lit = true;                       ///< n . l > 0 at the pixel
+  std::array<double, 2> half{};  ///< (hu, hv); 0 unless one of the draw's effects asks for it
+  std::array<double, 2> half_vertex{};  ///< interpolated likewise
 };
 
 /// Covered pixels in the order of traversal: tiles in rows from the top left, scan lines within a
@@ -43,6 +45,12 @@ struct SurfaceSample {
 /// light_vertex interpolates these linearly over the triangle of the tessellation (section 3.2 of
 /// Polynomial Texture Maps): shapes are cut in `segments` cells of p and q, each in two along its
 /// diagonal from (p, q) to (p', q'); meshes have their own triangles.
+///
+/// **Half-vector** (section 3.5), in the same frame, if an effect of the draw asks for it: H = (L +
+/// V) / |L + V|, V the unit vector toward the camera (against the view for an orthographic one), L
+/// toward the scene's light, whatever effects make of it; a local light's third part is sqrt(max(0,
+/// 1 - lu^2 - lv^2)). Opposite vectors have no half: (0, 0), as if it stood on the surface.
+/// half_vertex interpolates it as light_vertex does. Effects then change light and light_vertex.
 ///
 /// Runs on all cores; the result does not depend on their number. Throws InputError from a mesh's
 /// file. `frame` is a light's index (std::out_of_range).

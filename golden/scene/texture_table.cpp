@@ -50,21 +50,27 @@ void read_bump(const TableReader& table, TextureSpec& texture) {
   table.read("strength", texture.strength.emplace(0), -1e6, 1e6);
 }
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
 void read_generate(const TableReader& table, TextureSpec& texture) {
   table.read("generate", texture.pattern);
   if (std::find(kPatterns.begin(), kPatterns.end(), texture.pattern) == kPatterns.end()) {
-    std::string names;
-    for (const std::string_view n : kPatterns) {
-      names += (names.empty() ? "" : ", ") + std::string(n);
-    }
-    table.fail("generate", "'" + texture.pattern + "'", "one of " + names);
+    table.fail("generate", "'" + texture.pattern + "'", "one of " + listed(kPatterns));
   }
-  std::string kind = "lrgb";
+  const auto kinds = pattern_kinds(texture.pattern);
+  std::string kind(kinds[0]);
   table.read("kind", kind);
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    table.fail("kind", "'" + kind + "' of " + texture.pattern, "one of " + listed(kinds));
+  }
   if (kind == "picture") {
     texture.plain = true;
   } else {
-    table.choose<MapKind>("kind", texture.kind, kMapKinds);
+    texture.kind = kind == "rgb" ? MapKind::rgb : MapKind::lrgb;
   }
   if (const toml::node* size = table.find("size")) {
     const toml::array& pair = table.reader().array(*size, table.name("size"), 2);

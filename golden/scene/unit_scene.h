@@ -91,6 +91,18 @@ struct ObjectSpec {
   int draw = 0;
 };
 
+/// One [[object.effect]]: docs/spec/scene.md; its keys are those of golden/effects/effect.h.
+struct EffectSpec {
+  std::string effect;                        ///< its name
+  std::string place;                         ///< where the scene says it
+  std::vector<std::vector<double>> numbers;  ///< one a key; of a texture its index, of a word its
+                                             ///< place among the choices
+  /// Where it stands is no part of what it is.
+  bool operator==(const EffectSpec& other) const {
+    return effect == other.effect && numbers == other.numbers;
+  }
+};
+
 /// What of an object the unit's descriptor holds; objects that agree share a draw.
 struct DrawSpec {
   int map = -1;    ///< index of the texture, -1: none
@@ -99,7 +111,8 @@ struct DrawSpec {
   double ka = 0, kd = 1;
   WrapMode wrap_u = WrapMode::repeat, wrap_v = WrapMode::repeat;
   FilterMode filter{};
-  int probes = 1;  ///< most probes of footprint assembly; a power of two
+  int probes = 1;                   ///< most probes of footprint assembly; a power of two
+  std::vector<EffectSpec> effects;  ///< in the order of the rows of effects.def
   bool operator==(const DrawSpec&) const = default;
   /// The texture whose texels `SurfaceSample::lod` counts.
   [[nodiscard]] int main_texture() const { return map >= 0 ? map : color; }

@@ -18,6 +18,7 @@ struct UnitFrameStream {
 
 struct UnitSimulation {
   reference::UnitConfig unit;
+  reference::EvalConfig eval;  ///< only multiplies_effects looks at it
   /// Draws and memory. An empty memory answers with nothing but its time: enough for all that these
   /// models give, since their pixels are the reference's.
   const reference::UnitState* state = nullptr;
@@ -26,6 +27,8 @@ struct UnitSimulation {
   MemoryModel memory = FixedMemory{};
   std::optional<MemoryFault> fault;
   Cycle patience = kPatience;
+  /// If set, told the names of the SystemC modules that were elaborated for this run, before it.
+  std::function<void(const std::vector<std::string>& modules)> elaborated;
 };
 
 /// Timing `exact`: every pixel's cycle and every counter are the RTL's (docs/spec/unit-timing.md).

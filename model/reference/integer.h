@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 namespace ptm::reference {
@@ -19,6 +20,9 @@ enum class Step : std::uint8_t {
   scale,           ///< U4
   probes,          ///< U9
   combine,         ///< U11
+  power,           ///< X2
+  modulate,        ///< X3
+  add,             ///< X4
 };
 
 /// The datapath is written once, for any integer type that has +, -, * and these functions, found
@@ -39,6 +43,12 @@ using Value = std::int64_t;
 [[nodiscard]] constexpr Value differs(Value a, Value b) { return a != b ? 1 : 0; }
 /// 1 if either flag is 1.
 [[nodiscard]] constexpr Value either(Value a, Value b) { return a | b; }
+
+/// An entry of a table of constants; index within it.
+template <class Table>
+[[nodiscard]] constexpr Value look_up(const Table& table, Value index) {
+  return Value{table[static_cast<std::size_t>(index)]};
+}
 
 /// Says which step the operations in its scope belong to. Nothing for plain integers.
 template <class Int>

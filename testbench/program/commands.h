@@ -12,6 +12,7 @@ void add_info_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
 void add_synthesize_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
+void add_plan_command(CLI::App& app);
 void add_bump_command(CLI::App& app);
 
 }  // namespace ptm::testbench

@@ -9,6 +9,7 @@
 #include "testbench/program/exit_code.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/report.h"
+#include "testbench/run/measure_effects.h"
 #include "testbench/run/run_scene.h"
 #include "testbench/run/run_unit_scene.h"
 
@@ -19,7 +20,26 @@ struct RunOptions {
   std::string scene, out;
   std::vector<std::string> models;
   std::string preset;
+  bool effect_costs = false;
 };
+
+void print_costs(const EffectCosts& costs) {
+  const auto more = [](std::uint64_t with, std::uint64_t without) {
+    return (with < without ? "-" : "+") + grouped(with < without ? without - with : with - without);
+  };
+  using reference::UnitCounter;
+  for (const EffectCost& cost : costs.costs) {
+    const reference::UnitCounters &with = costs.with.counters, &without = cost.without.counters;
+    std::cout << cost.effect << " costs "
+              << more(with[UnitCounter::cycles], without[UnitCounter::cycles]) << " cycles, "
+              << more(with[UnitCounter::words], without[UnitCounter::words]) << " words";
+    if (costs.with.cells && cost.without.cells) {
+      std::cout << ", " << more(costs.with.cells->cells, cost.without.cells->cells) << " cells";
+    }
+    std::cout << "; it changes " << share(cost.changed) << " of all samples, RMSE "
+              << levels(cost.rmse) << " levels\n";
+  }
+}
 
 void print_summary(const RunResult& result, const RunComparison& comparison) {
   for (const std::string& note : result.notes) std::cout << "note: " << note << '\n';
@@ -34,6 +54,7 @@ void print_summary(const RunResult& result, const RunComparison& comparison) {
               << levels(pair.difference.max) << " levels, " << decibels(pair.difference.psnr_db)
               << '\n';
   }
+  if (result.costs) print_costs(*result.costs);
   for (const PresetDifference& preset : comparison.presets) {
     std::cout << "preset " << preset.preset
               << " against golden: " << decibels(preset.difference.psnr_db) << ", largest error "
@@ -42,6 +63,10 @@ void print_summary(const RunResult& result, const RunComparison& comparison) {
 }
 
 SceneRun run_flat(const RunOptions& options) {
+  if (options.effect_costs) {
+    throw golden::InputError(options.scene, "the file", "a flat scene with --cost-of-effects",
+                             "a scene with [[object]]: only such a one has effects");
+  }
   golden::Scene scene = golden::read_scene(options.scene);
   if (!options.models.empty()) scene.models = options.models;
   if (!options.preset.empty()) {
@@ -51,6 +76,8 @@ SceneRun run_flat(const RunOptions& options) {
   return run_scene(scene);
 }
 
+void say(const std::string& what) { std::cerr << "ptmsim: " << what << '\n'; }
+
 SceneRun run_unit(const RunOptions& options) {
   golden::UnitScene scene = golden::read_unit_scene(options.scene);
   if (!options.models.empty()) scene.models = options.models;
@@ -58,7 +85,9 @@ SceneRun run_unit(const RunOptions& options) {
     scene.hardware.preset = options.preset;
     scene.hardware.preset_place = "--preset";
   }
-  return run_unit_scene(scene);
+  SceneRun run = run_unit_scene(scene);
+  if (options.effect_costs) run.result.costs = measure_effects(scene, run.result, say);
+  return run;
 }
 
 void refuse_disagreement(const SceneRun& run, const RunComparison& comparison) {
@@ -99,6 +128,8 @@ void add_run_command(CLI::App& app) {
       ->check(CLI::IsMember({"golden", "reference", "pipeline", "rtl"}));
   command->add_option("--preset", options->preset, "Evaluator preset, instead of the scene's own")
       ->check(CLI::IsMember({"paper8", "base", "wide"}));
+  command->add_flag("--cost-of-effects", options->effect_costs,
+                    "Draw the scene again without each of its effects, and report what each costs");
   command->callback([options] { run(*options); });
 }
 

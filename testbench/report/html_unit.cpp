@@ -75,6 +75,7 @@ void add_build(std::string& page, const UnitSection& unit) {
                  std::to_string(c.palette_rgb_ports) + " for RGB");
   }
   add_fact(page, "Evaluators", std::to_string(c.eval_lanes));
+  for (const std::string& block : unit.effect_blocks) add_fact(page, "For effects", block);
   if (!unit.memory.empty()) add_fact(page, "Memory", unit.memory);
   page += "</dl>\n";
 }

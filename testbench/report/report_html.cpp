@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "testbench/report/html_effects.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/html_unit.h"
 
@@ -147,6 +148,7 @@ std::string report_html(const RunResult& result, const RunComparison& comparison
   html::add_pair_table(page, comparison);
   html::add_preset_table(page, result, comparison);
   html::add_unit(page, result);
+  html::add_effect_costs(page, result);
   html::add_cost_tables(page, result);
   html::add_worst_pixels(page, result, comparison);
   page += "</main>\n";

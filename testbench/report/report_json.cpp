@@ -104,6 +104,7 @@ Json report_json(const RunResult& result, const RunComparison& comparison) {
   }
   for (const ProbedPixel& pixel : comparison.worst) json["worst"].push_back(pixel_json(pixel));
   if (result.unit) json["unit"] = unit_json(*result.unit);
+  if (result.costs) json["effects"] = effect_costs_json(*result.costs);
   json["notes"] = result.notes;
   return json;
 }

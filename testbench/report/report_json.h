@@ -18,5 +18,7 @@ namespace ptm::testbench {
 
 /// Its member `unit`, which flat scenes do not have.
 [[nodiscard]] nlohmann::ordered_json unit_json(const UnitSection& unit);
+/// Its member `effects`, which is there only where costs of effects were asked for.
+[[nodiscard]] nlohmann::ordered_json effect_costs_json(const EffectCosts& costs);
 
 }  // namespace ptm::testbench

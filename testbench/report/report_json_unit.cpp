@@ -20,16 +20,20 @@ Json config_json(const reference::UnitConfig& config) {
 Json name_or_null(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
 
 Json draw_json(const UnitDraw& draw) {
-  return {{"object", draw.object},
-          {"texture", name_or_null(draw.texture)},
-          {"color", name_or_null(draw.color)},
-          {"cycles_per_pixel", draw.cycles_per_pixel}};
+  Json json = {{"object", draw.object},
+               {"texture", name_or_null(draw.texture)},
+               {"color", name_or_null(draw.color)},
+               {"cycles_per_pixel", draw.cycles_per_pixel}};
+  if (!draw.effects.empty()) json["effects"] = draw.effects;
+  return json;
 }
 
 Json timing_json(const UnitTiming& timing) {
   Json counters = Json::object();
   for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
     if (!knows(timing, n)) continue;
+    const bool effects = n == static_cast<std::size_t>(reference::UnitCounter::multiplies_effects);
+    if (effects && timing.counters.value[n] == 0) continue;
     counters[std::string(reference::unit_counter_names()[n])] = timing.counters.value[n];
   }
   return {{"seconds", timing.seconds},
@@ -48,6 +52,7 @@ Json unit_json(const UnitSection& unit) {
                {"timings", Json::object()},
                {"late_pixels", unit.late_pixels},
                {"differing_counters", unit.differing_counters}};
+  if (!unit.effect_blocks.empty()) json["effect_blocks"] = unit.effect_blocks;
   for (const UnitDraw& draw : unit.draws) json["draws"].push_back(draw_json(draw));
   for (const UnitTiming& timing : unit.timings) json["timings"][timing.model] = timing_json(timing);
   return json;

@@ -80,8 +80,8 @@ class RtlUnit {
   [[nodiscard]] virtual std::uint32_t probe(std::uint8_t number) = 0;
 };
 
-/// The variant of those parameters. Throws std::invalid_argument that lists what is built if none
-/// is.
+/// The unit of those parameters. Where none comes with the build it is built first, once
+/// (variant_cache.h, whose errors this throws).
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit(const reference::EvalConfig& config,
                                                      const reference::UnitConfig& unit);
 

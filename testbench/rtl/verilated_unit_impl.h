@@ -163,6 +163,8 @@ class VerilatedUnit final : public RtlUnit {
     pins_.frag_probes_log2_i = f.probes_log2;
     pins_.frag_lu_i = static_cast<IData>(f.lu);
     pins_.frag_lv_i = static_cast<IData>(f.lv);
+    pins_.frag_hu_i = static_cast<IData>(f.hu);
+    pins_.frag_hv_i = static_cast<IData>(f.hv);
     pins_.frag_lit_i = f.lit;
     pins_.frag_draw_i = f.draw;
   }

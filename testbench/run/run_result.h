@@ -9,6 +9,7 @@
 #include "golden/files/image.h"
 #include "model/reference/unit/unit_config.h"
 #include "model/reference/unit/unit_counters.h"
+#include "testbench/run/effect_cost.h"
 
 namespace ptm::testbench {
 
@@ -58,14 +59,17 @@ struct UnitTiming {
 
 /// A draw of the scene, for the table of hit rates.
 struct UnitDraw {
-  std::string object;           ///< as the scene names it
-  std::string texture;          ///< of the map; empty if it has none
-  std::string color;            ///< of the colour texture; empty if it has none
-  double cycles_per_pixel = 0;  ///< warm, by the formula of docs/spec/unit-timing.md
+  std::string object;                ///< as the scene names it
+  std::string texture;               ///< of the map; empty if it has none
+  std::string color;                 ///< of the colour texture; empty if it has none
+  std::vector<std::string> effects;  ///< names
+  double cycles_per_pixel = 0;       ///< warm, by the formula of docs/spec/unit-timing.md
 };
 
 /// What only scenes of the whole unit have (docs/spec/unit-timing.md).
 struct UnitSection {
+  /// What effects had built in: a sentence a block; empty if none needs hardware of its own.
+  std::vector<std::string> effect_blocks;
   reference::UnitConfig config;
   std::string memory;        ///< one sentence
   std::uint64_t window = 1;  ///< cycles
@@ -89,6 +93,7 @@ struct RunResult {
   std::vector<ModelResult> models;    ///< in the order golden, reference, pipeline, rtl
   std::vector<PresetFrames> presets;  ///< for the table "error against golden per preset"
   std::optional<UnitSection> unit;    ///< nothing for a flat map
+  std::optional<EffectCosts> costs;   ///< nothing unless they were asked for
   PixelProbe probe;
   std::vector<std::string> notes;  ///< said to the user as they are
 };

@@ -47,7 +47,7 @@ void add_presets(const UnitJob& job, const Pixels& own, RunResult& result) {
       std::vector<std::string> notes;
       const bool same = frames.preset == job.preset;
       const reference::UnitState state =
-          same ? job.state : make_unit_state(job.scene, job.textures, config, notes);
+          same ? job.state : make_unit_state(job.scene, job.textures, job.extras, config, notes);
       for (std::size_t n = 0; n < job.frames.size(); ++n) {
         std::vector<reference::UnitPixel> pixels = own[n];
         if (!same) {
@@ -99,7 +99,7 @@ using Children = std::vector<std::pair<std::string, ChildProcess>>;
 
 /// The timed models that the scene names, and loose beside the timing exact.
 Children start_timed_models(const UnitJob& job) {
-  if (names(job.scene, "rtl")) check_unit_variant(job);
+  if (names(job.scene, "rtl")) prepare_unit_variant(job);
   Children children;
   for (const std::string model : {"pipeline", "loose", "rtl"}) {
     if (names(job.scene, model == "loose" ? "pipeline" : model)) {

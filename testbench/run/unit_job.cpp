@@ -32,17 +32,6 @@ reference::UnitConfig unit_config(const UnitScene& scene) {
   return unit;
 }
 
-EvalConfig eval_config(const UnitScene& scene) {
-  try {
-    EvalConfig config = reference::find_preset(scene.hardware.preset).config;
-    if (scene.hardware.shift_groups) config.shift_groups = *scene.hardware.shift_groups;
-    return config;
-  } catch (const std::invalid_argument&) {
-    throw InputError(scene.file.string(), scene.hardware.preset_place,
-                     "preset '" + scene.hardware.preset + "'", "paper8, base or wide");
-  }
-}
-
 pipeline::MemoryModel memory_model(const golden::MemorySpec& spec) {
   const auto cycles = [](int n) { return static_cast<pipeline::Cycle>(n); };
   switch (spec.kind) {
@@ -98,6 +87,17 @@ std::string describe(const pipeline::MemoryModel& memory) {
          std::to_string(dram.tREFI);
 }
 
+EvalConfig scene_eval_config(const UnitScene& scene) {
+  try {
+    EvalConfig config = reference::find_preset(scene.hardware.preset).config;
+    if (scene.hardware.shift_groups) config.shift_groups = *scene.hardware.shift_groups;
+    return config;
+  } catch (const std::invalid_argument&) {
+    throw InputError(scene.file.string(), scene.hardware.preset_place,
+                     "preset '" + scene.hardware.preset + "'", "paper8, base or wide");
+  }
+}
+
 std::vector<UnitFragment> make_unit_fragments(const UnitScene& scene, const EvalConfig& config,
                                               const reference::UnitState& state,
                                               const std::vector<golden::SurfaceSample>& samples,
@@ -108,7 +108,7 @@ std::vector<UnitFragment> make_unit_fragments(const UnitScene& scene, const Eval
     const auto fragment = reference::quantize_unit_fragment(
         config, state.draws[static_cast<std::size_t>(s.draw)],
         {s.x, s.y, s.u, s.v, s.lod, s.axis_u, s.axis_v, s.probes_log2, s.light_vertex[0],
-         s.light_vertex[1], s.lit, s.draw});
+         s.light_vertex[1], s.half_vertex[0], s.half_vertex[1], s.lit, s.draw});
     if (!fragment) {
       throw InputError(
           scene.file.string(), light_place(scene, frame),
@@ -122,22 +122,34 @@ std::vector<UnitFragment> make_unit_fragments(const UnitScene& scene, const Eval
   return fragments;
 }
 
+ScenePlan make_scene_plan(const UnitScene& scene) {
+  UnitScene prepared = scene;
+  golden::LoadedTextures textures = golden::load_textures(scene);
+  const auto extras = golden::prepare_effects(prepared, textures);
+  return plan_scene(prepared, textures, extras, scene_eval_config(scene), unit_config(scene));
+}
+
 UnitJob make_unit_job(const UnitScene& scene) {
   UnitJob job;
   job.scene = scene;
   job.preset = scene.hardware.preset;
-  job.config = eval_config(scene);
-  job.unit = unit_config(scene);
+  job.config = scene_eval_config(scene);
   job.memory = memory_model(scene.memory);
   job.timing.seed = scene.stress.seed;
   job.timing.input_gap = scene.stress.input_gap / 256.0;
   job.timing.output_stall = scene.stress.output_stall / 256.0;
   job.textures = golden::load_textures(scene);
-  job.state = make_unit_state(scene, job.textures, job.config, job.notes);
+  job.extras = golden::prepare_effects(job.scene, job.textures);
+  for (const golden::DrawExtras& extras : job.extras) {
+    job.notes.insert(job.notes.end(), extras.notes.begin(), extras.notes.end());
+  }
+  job.plan = plan_scene(job.scene, job.textures, job.extras, job.config, unit_config(scene));
+  job.unit = job.plan.unit;
+  job.state = make_unit_state(job.scene, job.textures, job.extras, job.config, job.notes);
   for (std::size_t frame = 0; frame < scene.lights.size(); ++frame) {
     UnitFrameInput& input = job.frames.emplace_back();
-    input.samples = golden::make_samples(scene, job.textures, static_cast<int>(frame));
-    input.fragments = make_unit_fragments(scene, job.config, job.state, input.samples, frame);
+    input.samples = golden::make_samples(job.scene, job.textures, static_cast<int>(frame));
+    input.fragments = make_unit_fragments(job.scene, job.config, job.state, input.samples, frame);
   }
   return job;
 }

@@ -9,6 +9,7 @@
 #include "model/reference/unit/unit_config.h"
 #include "model/reference/unit/unit_fragment.h"
 #include "model/reference/unit/unit_memory.h"
+#include "testbench/plan/scene_plan.h"
 
 namespace ptm::testbench {
 
@@ -26,7 +27,9 @@ struct UnitJob {
   golden::LoadedTextures textures;
   std::string preset;
   reference::EvalConfig config;
-  reference::UnitConfig unit;
+  std::vector<golden::DrawExtras> extras;  ///< what effects add, one a draw
+  ScenePlan plan;
+  reference::UnitConfig unit;  ///< the plan's
   reference::UnitState state;
   pipeline::MemoryModel memory;
   pipeline::StreamTiming timing;  ///< gaps and stalls
@@ -39,11 +42,18 @@ struct UnitJob {
 /// than the unit has, a draw that the unit would refuse.
 [[nodiscard]] UnitJob make_unit_job(const golden::UnitScene& scene);
 
+/// What a scene calls for; its textures are loaded, since effects ask them. Throws as above.
+[[nodiscard]] ScenePlan make_scene_plan(const golden::UnitScene& scene);
+
 /// The state of a scene's textures for another configuration: the table of presets.
 [[nodiscard]] reference::UnitState make_unit_state(const golden::UnitScene& scene,
                                                    const golden::LoadedTextures& textures,
+                                                   const std::vector<golden::DrawExtras>& extras,
                                                    const reference::EvalConfig& config,
                                                    std::vector<std::string>& notes);
+
+/// The evaluator's configuration that a scene's [hardware] says. Throws InputError.
+[[nodiscard]] reference::EvalConfig scene_eval_config(const golden::UnitScene& scene);
 
 /// A frame's fragments for a configuration and its draws.
 [[nodiscard]] std::vector<reference::UnitFragment> make_unit_fragments(

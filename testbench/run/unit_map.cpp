@@ -28,7 +28,7 @@ RealLevels make_levels(const RealTexture& texture, std::vector<double> coef,
       if (static_cast<int>(made.levels.size()) < levels) made.levels.push_back(std::move(level));
     }
   }
-  if (polynomials == 1) {
+  if (!color.empty()) {
     made.color =
         halve_bytes(color, texture.width, texture.height, 3, static_cast<int>(made.levels.size()));
   }
@@ -50,6 +50,27 @@ StoredTexture stored_texture(const quantize::StoredMap& stored, std::vector<std:
 void take_grid(const quantize::Grid& grid, UnitMap& map) {
   std::copy(grid.bias.begin(), grid.bias.end(), map.bias.begin());
   std::copy(grid.shift.begin(), grid.shift.end(), map.shift.begin());
+}
+
+/// All levels on the grid of the first, which is stored already or is quantised.
+UnitMap store_levels(const RealLevels& real, std::optional<quantize::StoredMap> top,
+                     const EvalConfig& config) {
+  const quantize::Gram gram = quantize::hemisphere_gram();
+  if (!top) {
+    top = quantize::quantize(real.levels[0].view(), config, quantize::Method::nearest_plane, gram);
+  }
+  const quantize::Grid grid{top->bias, top->shift};
+  UnitMap map;
+  take_grid(grid, map);
+  for (std::size_t l = 0; l < real.levels.size(); ++l) {
+    const quantize::StoredMap stored =
+        l == 0 ? std::move(*top)
+               : quantize::quantize_on_grid(real.levels[l].view(), grid, config,
+                                            quantize::Method::nearest_plane, gram);
+    map.levels.push_back(
+        stored_texture(stored, real.color.empty() ? std::vector<std::uint8_t>{} : real.color[l]));
+  }
+  return map;
 }
 
 /// All levels' texels in a row, so that one palette serves them.
@@ -83,32 +104,28 @@ int full_levels(int width, int height) {
 }
 
 UnitMap store_unit_map(const RealTexture& texture, int levels, const EvalConfig& config) {
-  const quantize::Gram gram = quantize::hemisphere_gram();
-  UnitMap map;
-  map.rgb = texture.real.polynomials == 3;
   std::vector<double> coef = texture.real.coef;
   std::vector<std::uint8_t> color = texture.color;
+  const bool rgb = texture.real.polynomials == 3;
   quantize::Import import{std::nullopt, "its coefficients are real"};
   if (texture.file) import = import_map(*texture.file, config);
-  if (!import.map && !map.rgb) {
+  if (!import.map && !rgb) {
     quantize::balance_luminance(coef, color, hemisphere_lights(), config);
   }
-  const RealLevels real = make_levels(texture, std::move(coef), color, levels);
-  quantize::StoredMap top = import.map ? std::move(*import.map)
-                                       : quantize::quantize(real.levels[0].view(), config,
-                                                            quantize::Method::nearest_plane, gram);
-  const quantize::Grid grid{top.bias, top.shift};
-  take_grid(grid, map);
-  map.how = import.map ? "taken verbatim" : "quantised because " + import.why_not;
-  for (std::size_t l = 0; l < real.levels.size(); ++l) {
-    const quantize::StoredMap stored =
-        l == 0 ? std::move(top)
-               : quantize::quantize_on_grid(real.levels[l].view(), grid, config,
-                                            quantize::Method::nearest_plane, gram);
-    map.levels.push_back(
-        stored_texture(stored, map.rgb ? std::vector<std::uint8_t>{} : real.color[l]));
-  }
+  const std::string how = import.map ? "taken verbatim" : "quantised because " + import.why_not;
+  UnitMap map = store_levels(make_levels(texture, std::move(coef), color, levels),
+                             std::move(import.map), config);
+  map.rgb = rgb;
+  map.how = how;
   return map;
+}
+
+UnitMap store_unit_set(int width, int height, const std::vector<double>& coef, int levels,
+                       const EvalConfig& config) {
+  RealTexture texture;
+  texture.width = width;
+  texture.height = height;
+  return store_levels(make_levels(texture, coef, {}, levels), std::nullopt, config);
 }
 
 UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,

@@ -35,6 +35,11 @@ struct UnitMap {
 [[nodiscard]] UnitMap store_unit_map(const RealTexture& texture, int levels,
                                      const reference::EvalConfig& config);
 
+/// A coefficient set of an effect (docs/spec/effects.md): one polynomial a texel,
+/// [height][width][6] in levels, on a grid of its own.
+[[nodiscard]] UnitMap store_unit_set(int width, int height, const std::vector<double>& coef,
+                                     int levels, const reference::EvalConfig& config);
+
 /// The same with at most `entries` polynomials (or triples), one palette for all levels.
 [[nodiscard]] UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,
                                          const reference::EvalConfig& config);

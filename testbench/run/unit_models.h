@@ -30,7 +30,8 @@ struct UnitTimed {
 };
 
 /// Starts "pipeline" (the timing exact), "loose" or "rtl"; the job must stay as it is until
-/// take_unit_model(). "rtl" throws InputError before anything starts if no such unit was verilated.
+/// take_unit_model(). "rtl" builds the unit before anything starts if it does not come with the
+/// build.
 [[nodiscard]] ChildProcess start_unit_model(const UnitJob& job, const std::string& model);
 [[nodiscard]] UnitTimed take_unit_model(ChildProcess& child, const std::string& model);
 

@@ -12,7 +12,7 @@ ModelResult render_unit_golden(const UnitJob& job) {
   ModelResult result;
   result.model = "golden";
   const Stopwatch watch;
-  const golden::UnitRenderer renderer(job.scene, job.textures);
+  const golden::UnitRenderer renderer(job.scene, job.textures, job.extras);
   for (const UnitFrameInput& frame : job.frames) {
     result.frames.push_back(golden::render_samples(job.scene, renderer, frame.samples));
   }
@@ -21,7 +21,7 @@ ModelResult render_unit_golden(const UnitJob& job) {
 }
 
 std::vector<golden::ImageReal> unit_area_averages(const UnitJob& job) {
-  const golden::UnitRenderer renderer(job.scene, job.textures);
+  const golden::UnitRenderer renderer(job.scene, job.textures, job.extras);
   std::vector<golden::ImageReal> frames;
   for (const UnitFrameInput& frame : job.frames) {
     frames.push_back(golden::exact_area_average(job.scene, renderer, frame.samples));

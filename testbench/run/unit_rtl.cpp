@@ -1,23 +1,20 @@
 #include "testbench/run/unit_rtl.h"
 
-#include <stdexcept>
+#include <iostream>
 
-#include "testbench/rtl/verilated_unit.h"
+#include "testbench/program/exit_code.h"
+#include "testbench/rtl/unit_variants.h"
+#include "testbench/rtl/variant_cache.h"
 
 namespace ptm::testbench {
 
-void check_unit_variant(const UnitJob& job) {
+void prepare_unit_variant(const UnitJob& job) {
+  if (find_rtl_unit_variant(job.config, job.unit)) return;
   try {
-    (void)make_rtl_unit(job.config, job.unit);
-  } catch (const std::invalid_argument& error) {
-    const golden::HardwareSpec& hardware = job.scene.hardware;
-    const std::string what = error.what(), before = "there is: ";
-    const std::size_t list = what.find(before);
-    throw golden::InputError(
-        job.scene.file.string(), hardware.place.empty() ? "the file" : hardware.place,
-        "parameters that no RTL unit is built with",
-        "models without rtl, or one of " +
-            (list == std::string::npos ? what : what.substr(list + before.size())));
+    (void)build_variant(job.config, job.unit,
+                        [](const std::string& what) { std::cerr << "ptmsim: " << what << '\n'; });
+  } catch (const MissingTool& error) {
+    throw ExitError(ExitCode::missing_tool, error.what());
   }
 }
 

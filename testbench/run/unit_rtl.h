@@ -2,12 +2,13 @@
 #include "model/pipeline/simulate_texture_unit.h"
 #include "testbench/run/unit_job.h"
 
-/// The verilated units that come with the build (testbench/rtl).
+/// The RTL unit with a scene's parameters.
 namespace ptm::testbench {
 
-/// Throws golden::InputError at the scene's [hardware] if no unit was verilated with its
-/// parameters; the error lists those that were.
-void check_unit_variant(const UnitJob& job);
+/// Sees to it that there is a unit with the job's parameters, in a process that may still start
+/// others: builds one that does not come with the build and says so on the terminal. Throws
+/// ExitError (a needed tool is missing).
+void prepare_unit_variant(const UnitJob& job);
 
 /// Draws the simulation's frames with the RTL, pixels included.
 void simulate_unit_rtl(const UnitJob& job, const pipeline::UnitSimulation& simulation);

@@ -75,7 +75,8 @@ std::vector<std::string> differing_counters(const UnitTimed& a, const UnitTimed&
 double warm_cycles_per_pixel(const UnitJob& job, int draw) {
   const reference::Draw& d = job.state.draws[static_cast<std::size_t>(draw)];
   const int groups = (draw_words(d) + job.unit.tmus - 1) / job.unit.tmus;
-  const int passes = (draw_passes(d) + job.unit.eval_lanes - 1) / job.unit.eval_lanes;
+  const int own = (draw_passes(d) + job.unit.eval_lanes - 1) / job.unit.eval_lanes;
+  const int passes = own + d.effects.passes;
   double sum = 0, count = 0;
   for (const UnitFrameInput& frame : job.frames) {
     for (const reference::UnitFragment& fragment : frame.fragments) {
@@ -93,6 +94,11 @@ UnitSection make_unit_section(const UnitJob& job, const std::vector<UnitTimed>& 
   UnitSection section;
   section.config = job.unit;
   section.memory = describe(job.memory);
+  for (const PlannedBlock& block : job.plan.blocks) {
+    std::string who;
+    for (const std::string& name : block.effects) who += (who.empty() ? "" : ", ") + name;
+    section.effect_blocks.push_back(block.what + " (" + block.name + ") for " + who);
+  }
   std::uint64_t cycles = 0;
   for (const UnitTimed& model : timed) {
     cycles = std::max(cycles, total_counters(model)[reference::UnitCounter::cycles]);
@@ -101,7 +107,7 @@ UnitSection make_unit_section(const UnitJob& job, const std::vector<UnitTimed>& 
   for (std::size_t d = 0; d < job.scene.draws.size(); ++d) {
     const golden::DrawSpec& spec = job.scene.draws[d];
     section.draws.push_back({"draw " + std::to_string(d), texture_name(job, spec.map),
-                             texture_name(job, spec.color),
+                             texture_name(job, spec.color), job.plan.draws[d].effects,
                              warm_cycles_per_pixel(job, static_cast<int>(d))});
   }
   for (const UnitTimed& model : timed) {

@@ -46,20 +46,33 @@ struct Placed {
   int palette = 0;
 };
 
+/// A unit with all that effects may ask for: the plan sees to it that the scene's unit has it.
+constexpr reference::UnitConfig kAnyUnit{.extra_sets = reference::kExtraSets,
+                                         .extra_passes = reference::kExtraPasses,
+                                         .half_vector = true,
+                                         .stages = ~0U};
+
 class StateBuilder {
  public:
   StateBuilder(const UnitScene& scene, const golden::LoadedTextures& textures,
-               const EvalConfig& config, std::vector<std::string>& notes)
-      : scene_(scene), textures_(textures), config_(config), notes_(notes) {}
+               const std::vector<golden::DrawExtras>& extras, const EvalConfig& config,
+               std::vector<std::string>& notes)
+      : scene_(scene), textures_(textures), extras_(extras), config_(config), notes_(notes) {}
 
   reference::UnitState build() {
-    for (const golden::DrawSpec& spec : scene_.draws) state_.draws.push_back(make_draw(spec));
+    for (std::size_t d = 0; d < scene_.draws.size(); ++d) {
+      state_.draws.push_back(make_draw(scene_.draws[d], extras_[d]));
+      if (!scene_.draws[d].effects.empty()) {
+        state_.tables.resize(d);
+        state_.tables.push_back(stored_table(extras_[d]));
+      }
+    }
     for (std::size_t d = 0; d < state_.draws.size(); ++d) check(d);
     return std::move(state_);
   }
 
  private:
-  reference::Draw make_draw(const golden::DrawSpec& spec) {
+  reference::Draw make_draw(const golden::DrawSpec& spec, const golden::DrawExtras& extras) {
     reference::Draw draw;
     draw.format = TextureFormat::none;
     draw.bilinear = spec.filter.bilinear;
@@ -69,11 +82,14 @@ class StateBuilder {
     draw.combine = static_cast<reference::Combine>(spec.combine);
     draw.ka = weight(spec.ka);
     draw.kd = weight(spec.kd);
+    draw.ks = weight(extras.ks);
+    draw.effects = planned_effects(spec, extras);
     draw.color = spec.color >= 0;
     draw.color_lod =
         static_cast<reference::Value>(std::floor(golden::color_lod(spec, textures_) * 256 + 0.5));
     if (spec.map >= 0) {
-      const Placed& map = place(spec.map);
+      const Placed map =
+          extras.sets.empty() ? place(spec.map) : place_map(spec.map, extras, draw.effects);
       draw.format = map.format;
       draw.map = map.levels;
       draw.bias = map.bias;
@@ -82,6 +98,15 @@ class StateBuilder {
     }
     if (draw.color) draw.color_texture = place(spec.color).levels;
     return draw;
+  }
+
+  /// Q8.4
+  static reference::EffectTable stored_table(const golden::DrawExtras& extras) {
+    reference::EffectTable table{};
+    std::transform(extras.table.begin(), extras.table.end(), table.begin(), [](double level) {
+      return static_cast<std::uint16_t>(std::clamp(std::floor(level * 16 + 0.5), 0.0, 4095.0));
+    });
+    return table;
   }
 
   /// Q1.8
@@ -101,20 +126,42 @@ class StateBuilder {
     const auto found = placed_.find(index);
     if (found != placed_.end()) return found->second;
     const golden::LoadedTexture& texture = textures_[static_cast<std::size_t>(index)];
-    const int levels = needs_levels(index) ? full_levels(texture.width, texture.height) : 1;
     Placed placed;
     if (texture.is_picture()) {
       placed.levels =
-          append_picture(picture_levels(stored_picture(texture), levels), state_.memory);
-    } else if (scene_.textures[static_cast<std::size_t>(index)].palette != 0) {
-      placed = place_palette(index, texture, levels);
+          append_picture(picture_levels(stored_picture(texture), levels_of(index)), state_.memory);
     } else {
-      const UnitMap map = store_unit_map(real_texture(texture), levels, config_);
-      placed = placed_map(map, map.rgb ? TextureFormat::rgb : TextureFormat::lrgb);
-      placed.levels = append_map(config_, map.levels, state_.memory);
-      notes_.push_back("texture " + texture.name + ": " + map.how);
+      reference::DrawEffects none;
+      placed = place_map(index, {}, none);
     }
     return placed_.emplace(index, placed).first->second;
+  }
+
+  [[nodiscard]] int levels_of(int index) const {
+    const golden::LoadedTexture& texture = textures_[static_cast<std::size_t>(index)];
+    return needs_levels(index) ? full_levels(texture.width, texture.height) : 1;
+  }
+
+  /// A map with the coefficient sets of a draw's effects in one array of lines; their bias and
+  /// shift go into the draw.
+  Placed place_map(int index, const golden::DrawExtras& extras, reference::DrawEffects& effects) {
+    const golden::LoadedTexture& texture = textures_[static_cast<std::size_t>(index)];
+    const int levels = levels_of(index);
+    std::vector<reference::StoredSet> sets;
+    for (std::size_t s = 0; s < extras.sets.size(); ++s) {
+      UnitMap set = store_unit_set(texture.width, texture.height, extras.sets[s], levels, config_);
+      effects.bias[s] = set.bias;
+      effects.shift[s] = set.shift;
+      sets.push_back(std::move(set.levels));
+    }
+    if (scene_.textures[static_cast<std::size_t>(index)].palette != 0) {
+      return place_palette(index, texture, levels, sets);
+    }
+    const UnitMap map = store_unit_map(real_texture(texture), levels, config_);
+    Placed placed = placed_map(map, map.rgb ? TextureFormat::rgb : TextureFormat::lrgb);
+    placed.levels = append_map(config_, map.levels, sets, state_.memory);
+    notes_.push_back("texture " + texture.name + ": " + map.how);
+    return placed;
   }
 
   static Placed placed_map(const UnitMap& map, TextureFormat format) {
@@ -125,7 +172,8 @@ class StateBuilder {
     return placed;
   }
 
-  Placed place_palette(int index, const golden::LoadedTexture& texture, int levels) {
+  Placed place_palette(int index, const golden::LoadedTexture& texture, int levels,
+                       const std::vector<reference::StoredSet>& sets) {
     const golden::TextureSpec& spec = scene_.textures[static_cast<std::size_t>(index)];
     const bool rgb = texture.polynomials == 3;
     const int most = rgb ? kEntriesRgb : kEntriesLrgb;
@@ -144,7 +192,7 @@ class StateBuilder {
       placed.palette = static_cast<int>(palettes_++);
       append_lrgb_palette(config_, map.palette, placed.palette, state_.palettes);
     }
-    placed.levels = append_palette_map(map.indexed, state_.memory);
+    placed.levels = append_palette_map(config_, map.indexed, sets, state_.memory);
     notes_.push_back("texture " + texture.name + ": " + map.how);
     return placed;
   }
@@ -155,7 +203,7 @@ class StateBuilder {
   }
 
   void check(std::size_t d) const {
-    const unsigned errors = check_draw(state_.draws[d], state_.memory.size());
+    const unsigned errors = check_draw(state_.draws[d], state_.memory.size(), kAnyUnit);
     if (errors == 0) return;
     throw InputError(scene_.file.string(), "draw " + std::to_string(d),
                      "a descriptor with error bits " + std::to_string(errors),
@@ -164,6 +212,7 @@ class StateBuilder {
 
   const UnitScene& scene_;
   const golden::LoadedTextures& textures_;
+  const std::vector<golden::DrawExtras>& extras_;
   const EvalConfig& config_;
   std::vector<std::string>& notes_;
   reference::UnitState state_;
@@ -174,8 +223,9 @@ class StateBuilder {
 }  // namespace
 
 reference::UnitState make_unit_state(const UnitScene& scene, const golden::LoadedTextures& textures,
+                                     const std::vector<golden::DrawExtras>& extras,
                                      const EvalConfig& config, std::vector<std::string>& notes) {
-  return StateBuilder(scene, textures, config, notes).build();
+  return StateBuilder(scene, textures, extras, config, notes).build();
 }
 
 }  // namespace ptm::testbench

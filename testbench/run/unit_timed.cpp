@@ -128,6 +128,7 @@ void simulate(const UnitJob& job, const std::string& model, ResultFile& file) {
 pipeline::UnitSimulation unit_simulation(const UnitJob& job) {
   pipeline::UnitSimulation simulation;
   simulation.unit = job.unit;
+  simulation.eval = job.config;
   simulation.state = &job.state;
   simulation.timing = job.timing;
   simulation.memory = job.memory;
@@ -135,7 +136,7 @@ pipeline::UnitSimulation unit_simulation(const UnitJob& job) {
 }
 
 ChildProcess start_unit_model(const UnitJob& job, const std::string& model) {
-  if (model == "rtl") check_unit_variant(job);
+  if (model == "rtl") prepare_unit_variant(job);
   return {"the " + model + " model",
           [&job, model](ResultFile& file) { simulate(job, model, file); }};
 }

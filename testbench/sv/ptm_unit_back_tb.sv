@@ -100,7 +100,15 @@ module ptm_unit_back_tb #(
   logic [14:0]                             pal_rgb_addr;
   logic [31:0]                             pal_data;
   assign counter = counter_number < 6'(ptm_unit_pkg::Counters) ? counters_i[counter_number] : '0;
+  // A back without effects
+  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::EffectW-1:0] effects;
+  logic        table_we, leaves;
+  logic [9:0]  table_addr;
+  logic [11:0] table_data;
+  logic [5:0]  inc_effects;
   ptm_unit_registers u_registers (
+    .effects_o(effects), .table_we_o(table_we), .table_addr_o(table_addr),
+    .table_data_o(table_data),
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .error_o(error_o),
     .checking_o(checking_o), .busy_i(busy_i), .invalidate_o(invalidate_o), .clear_o(clear_o),
@@ -160,7 +168,7 @@ module ptm_unit_back_tb #(
     beat.probes_log2   = probes_log2_i;
     beat.first_probe   = first_probe_i;
     beat.second        = second_i;
-    beat.group         = group_i;
+    beat.group         = ptm_unit_pkg::GroupBits'(group_i);
     beat.ptm.wu        = wu_i[0];
     beat.ptm.wv        = wv_i[0];
     beat.ptm.f         = f_i[0];
@@ -180,7 +188,7 @@ module ptm_unit_back_tb #(
 
   logic [23:0] pix_rgb;
   logic [2:0]  inc_palette, inc_combine;
-  logic [4:0]  inc_eval;
+  logic [5:0]  inc_eval;
   assign pix_rgb_o                = 32'(pix_rgb);
   assign {pix_x_o[15:14], pix_y_o[15:14]} = '0;
   assign inc_palette_o            = 8'(inc_palette);
@@ -193,6 +201,9 @@ module ptm_unit_back_tb #(
     .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
     .EvalLanes(EvalLanes)
   ) u_dut (
+    .effects_i(effects), .table_we_i(table_we), .table_addr_i(table_addr),
+    .table_data_i(table_data), .hu_i('0), .hv_i('0), .o_leaves_o(leaves),
+    .inc_effects_o(inc_effects),
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .pal_lrgb_we_i(pal_lrgb_we),
     .pal_lrgb_addr_i(pal_lrgb_addr), .pal_rgb_we_i(pal_rgb_we), .pal_rgb_addr_i(pal_rgb_addr),
     .pal_data_i(pal_data), .d_valid_i(d_valid_i), .d_ready_o(d_ready_o), .d_beat_i(beat),

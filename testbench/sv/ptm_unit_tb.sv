@@ -26,7 +26,11 @@ module ptm_unit_tb #(
   parameter int MissFifo         = 64,
   parameter int PaletteLrgbPorts = 4,
   parameter int PaletteRgbPorts  = 1,
-  parameter int EvalLanes        = 1
+  parameter int EvalLanes        = 1,
+  parameter int HalfVector       = 0,
+  parameter int ExtraSets        = 0,
+  parameter int ExtraPasses      = 0,
+  parameter int Stages           = 0
 ) (
   input  logic               clk_i,  // a cycle each time it changes
   input  logic               rst_ni,
@@ -46,6 +50,8 @@ module ptm_unit_tb #(
   input  logic        [7:0]  frag_probes_log2_i,
   input  logic signed [31:0] frag_lu_i,
   input  logic signed [31:0] frag_lv_i,
+  input  logic signed [31:0] frag_hu_i,
+  input  logic signed [31:0] frag_hv_i,
   input  logic               frag_lit_i,
   input  logic        [7:0]  frag_draw_i,
   output logic               mem_req_valid_o,
@@ -82,7 +88,8 @@ module ptm_unit_tb #(
     .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
     .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
-    .EvalLanes(EvalLanes)
+    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
+    .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_dut (
     .clk_i                (clk),
     .rst_ni               (rst_ni),
@@ -102,6 +109,8 @@ module ptm_unit_tb #(
     .frag_probes_log2_i   (frag_probes_log2_i[2:0]),
     .frag_lu_i            (frag_lu_i[16:0]),
     .frag_lv_i            (frag_lv_i[16:0]),
+    .frag_hu_i            (frag_hu_i[16:0]),
+    .frag_hv_i            (frag_hv_i[16:0]),
     .frag_lit_i           (frag_lit_i),
     .frag_draw_i          (frag_draw_i[1:0]),
     .mem_req_valid_o      (mem_req_valid_o),
@@ -152,6 +161,10 @@ module ptm_unit_tb #(
         8'd145: probe_o = 32'(PaletteLrgbPorts);
         8'd146: probe_o = 32'(PaletteRgbPorts);
         8'd147: probe_o = 32'(EvalLanes);
+        8'd148: probe_o = 32'(ExtraSets);
+        8'd149: probe_o = 32'(ExtraPasses);
+        8'd150: probe_o = 32'(HalfVector);
+        8'd151: probe_o = 32'(Stages);
         default: probe_o = 32'd0;
       endcase
     end

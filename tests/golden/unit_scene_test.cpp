@@ -197,7 +197,7 @@ TEST_F(UnitSceneFile, RefusesWhatMeansNothingWithItsLine) {
        "line 7 (object[0].kd)|a weight without blend|combine = \"blend\""},
       {kMap + kPlane + "radius = 1\n" + kLight,
        "line 7|unknown key 'object[0].radius'|one of kind, texture, color, combine, ka, kd, "
-       "translate, rotate, scale, uv_scale, uv_offset, origin, i, j, s, t, segments"},
+       "translate, rotate, scale, uv_scale, uv_offset, effect, origin, i, j, s, t, segments"},
       {kMap + kPlane + "i = [0, 0, 4]\n" + kLight,
        "line 7 (object[0].i)|axes on a line|axes that span a plane"},
       {kMap + kPlane + "s = [1, 1]\n" + kLight,

@@ -17,6 +17,7 @@ const std::regex kStandard("[a-z_0-9]+|sys/[a-z]+\\.h|unistd\\.h");
 const std::regex kOiio("OpenImageIO/.*");
 const std::regex kEigen("Eigen/.*");
 const std::regex kHighway("hwy/.*");
+const std::regex kEffects("effects/[a-z_]+\\.(h|def|inc)");  ///< written by cmake/PtmEffects.cmake
 const std::regex kSystemC("systemc|tlm|tlm_utils/.*");
 
 struct Layer {
@@ -28,12 +29,12 @@ struct Layer {
 const std::vector<Layer>& layers() {
   static const std::vector<Layer> all{
       {"golden",
-       {"golden"},
+       {"golden", "effects"},  // effects/ is what the build writes from the table of effects
        {kOiio, kEigen, std::regex("charls/.*"), std::regex("turbojpeg\\.h"),
         std::regex("toml\\+\\+/.*"), std::regex("tbb/.*|oneapi/tbb.*")}},
-      {"model/reference", {"model/reference"}, {kEigen, kHighway}},
+      {"model/reference", {"model/reference"}, {kEigen, kHighway, kEffects}},
       {"model/quantize", {"model/quantize", "model/reference"}, {kEigen, kHighway}},
-      {"model/pipeline", {"model/pipeline", "model/reference"}, {kSystemC}},
+      {"model/pipeline", {"model/pipeline", "model/reference"}, {kSystemC, kEffects}},
       {"testbench",
        {"golden", "model", "testbench"},
        {kOiio, kEigen, kHighway, kSystemC, std::regex("CLI/.*"), std::regex("nlohmann/.*"),

@@ -98,7 +98,26 @@ Place sphere(double x, double y) {
 }
 Place larger(double x, double y) { return {4 * upright(x, y).u, 4 * y}; }
 
-const std::array<Scene, 16> kScenes{{
+/// A unit with all that effects may add.
+void all_effects(UnitConfig& u) {
+  u.extra_sets = u.extra_passes = 4;
+  u.half_vector = true;
+  u.stages = 7;
+}
+/// A map with sets and passes of all of them.
+std::function<void(Draw&)> effects(TextureFormat format, int sets, int passes) {
+  return [=](Draw& draw) {
+    draw.format = format;
+    draw.mip = Mip::linear;
+    draw.effects.sets = sets;
+    draw.effects.passes = passes;
+    draw.effects.stages = 7;
+    for (auto& pass : draw.effects.pass) pass.set = sets;
+    draw.map = levels(256, 256, array_planes(draw), 0);
+  };
+}
+
+const std::array<Scene, 21> kScenes{{
     {"UprightPlane", map(TextureFormat::lrgb, 256, 256), upright},
     {"UprightPlaneInScanLines", map(TextureFormat::lrgb, 256, 256), upright, [](auto&) {},
      FixedMemory{}, 0},
@@ -131,6 +150,15 @@ const std::array<Scene, 16> kScenes{{
        p.lod -= 2;
        return p;
      }},
+    {"HalfVector", effects(TextureFormat::lrgb, 0, 1), turned, all_effects},
+    {"OneSet", effects(TextureFormat::lrgb, 1, 1), receding, all_effects},
+    {"AllEffects", effects(TextureFormat::lrgb, 4, 4), turned, all_effects},
+    {"AllEffectsRgbOneTmu", effects(TextureFormat::rgb, 4, 4), sphere,
+     [](UnitConfig& u) {
+       all_effects(u);
+       u.tmus = 1;
+     }},
+    {"PaletteWithSets", effects(TextureFormat::palette_rgb, 2, 2), turned, all_effects},
 }};
 
 class Estimates : public testing::TestWithParam<Scene> {};
@@ -141,7 +169,7 @@ TEST_P(Estimates, AreWithinThreePercentOfExact) {
   scene.unit(config);
   UnitState state;
   scene.draw(state.draws.emplace_back());
-  ASSERT_EQ(check_draw(state.draws[0], 1 << 26), 0U);
+  ASSERT_EQ(check_draw(state.draws[0], 1 << 26, config), 0U);
   const auto fragments = fragments_of(scene);
   ASSERT_GE(fragments.size(), 65536U);
   const sc_core::sc_time clock(1, sc_core::SC_NS);

@@ -13,15 +13,18 @@ namespace ptm::tests {
 /// so that every limit binds somewhere.
 struct RandomUnit {
   reference::UnitConfig unit;
+  reference::EvalConfig eval;
   std::vector<reference::Draw> draws;
   std::vector<reference::UnitFragment> fragments;
   pipeline::StreamTiming timing;
   pipeline::MemoryModel memory;
   bool keep_cache = false;  ///< in a second frame
 
-  explicit RandomUnit(std::uint64_t seed) : random_(seed) {
+  /// With effects: what the unit has of them, and what each draw uses, from the same seed.
+  explicit RandomUnit(std::uint64_t seed, bool with_effects = false) : random_(seed) {
     make_config();
     unit.eval_lanes = seed % 3 == 2 ? 3 : 1;
+    if (with_effects) add_effects(seed);
     make_disturbance(seed);
     const int count = pick({1, 1, 2, 4});
     for (int d = 0; d < count; ++d) draws.push_back(make_draw());
@@ -46,6 +49,35 @@ struct RandomUnit {
     unit.miss_fifo = one_in(3) ? 64 : 4 * unit.tmus + below(5);
     unit.palette_lrgb_ports = pick({1, 2, 4});
     unit.palette_rgb_ports = pick({1, 2, 4});
+  }
+
+  /// Every part of the effects, alone and with the others.
+  void add_effects(std::uint64_t seed) {
+    unit.extra_passes = pick({0, 1, 2, 4});
+    unit.extra_sets = below(unit.extra_passes + 1);
+    unit.half_vector = unit.extra_passes > 0 && one_in(2);
+    unit.stages = static_cast<unsigned>(seed % 8);
+    eval.lum_frac = pick({0, 4});
+  }
+
+  /// Of a draw: often all that the unit has, sometimes none.
+  void use_effects(reference::Draw& draw) {
+    reference::DrawEffects& e = draw.effects;
+    const bool map = draw.format != reference::TextureFormat::none;
+    const bool own = draw.format == reference::TextureFormat::lrgb ||
+                     draw.format == reference::TextureFormat::palette_lrgb;
+    if (map) e.sets = one_in(2) ? unit.extra_sets : below(unit.extra_sets + 1);
+    if (map && (own || e.sets > 0)) {
+      e.passes = one_in(2) ? unit.extra_passes : below(unit.extra_passes + 1);
+    }
+    for (auto& pass : e.pass) {
+      pass.set = own ? below(e.sets + 1) : 1 + below(std::max(e.sets, 1));
+      pass.half = unit.half_vector && one_in(2);
+    }
+    for (int k = e.passes; k < reference::kExtraPasses; ++k)
+      e.pass[static_cast<std::size_t>(k)] = {};
+    e.stages = unit.stages & static_cast<unsigned>(one_in(2) ? 255 : below(8));
+    e.argument = static_cast<std::uint32_t>(below(4));
   }
 
   void make_disturbance(std::uint64_t seed) {
@@ -106,7 +138,8 @@ struct RandomUnit {
       draw.combine = Combine::replace;
     }
     draw.color_lod = below(2048) - 1024;
-    if (draw.format != TextureFormat::none) draw.map = make_texture(map_planes(draw.format));
+    if (unit.extra_passes > 0 || unit.stages != 0) use_effects(draw);
+    if (draw.format != TextureFormat::none) draw.map = make_texture(array_planes(draw));
     if (draw.color) draw.color_texture = make_texture(1);
     // The same lines under two names: what duplicate_lines counts.
     if (one_in(2) && draw.color && !draws.empty() && draws[0].color) {

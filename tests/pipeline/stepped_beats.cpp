@@ -31,7 +31,8 @@ SteppedUnit::Tap SteppedUnit::make_tap(const Draw& draw, const Word& word, const
                                        unsigned number) const {
   const std::int32_t i = number % 2 == 1 ? at.i1 : at.i0;
   const std::int32_t j = number / 2 == 1 ? at.j1 : at.j0;
-  const int planes = word.texture == 0 ? reference::map_planes(draw.format) : 1;
+  const int map_planes = reference::map_planes(draw.format) + 2 * draw.effects.sets;
+  const int planes = word.texture == 0 ? map_planes : 1;
   Tap tap;
   tap.number = number;
   tap.line =
@@ -53,10 +54,16 @@ SteppedUnit::Word SteppedUnit::make_word(const Draw& draw, int word,
   const int map_words = reference::map_planes(draw.format);
   Word out;
   out.tmu = static_cast<std::size_t>(word % unit_.tmus);
-  out.texture = word < map_words ? 0 : 1;
-  out.plane = out.texture == 0 ? word : 0;
-  out.palette = out.texture == 0 && (draw.format == TextureFormat::palette_lrgb ||
-                                     draw.format == TextureFormat::palette_rgb);
+  out.plane = word;
+  if (draw.color && word == map_words) {
+    out.texture = 1;
+    out.plane = 0;
+  } else if (word >= map_words) {
+    out.set = true;
+    if (draw.color) --out.plane;
+  }
+  out.palette = word == 0 && (draw.format == TextureFormat::palette_lrgb ||
+                              draw.format == TextureFormat::palette_rgb);
   const Footprint& at = footprints[static_cast<std::size_t>(out.texture)];
   for (unsigned tap = 0; tap < reference::kTaps; ++tap) {
     if ((at.taps() >> tap & 1) != 0) out.taps.push_back(make_tap(draw, out, at, tap));
@@ -85,10 +92,20 @@ void SteppedUnit::book_beat(const Beat& beat, const UnitFragment& fragment, int 
   if (fragment.probes_log2 > 0) c[UnitCounter::multiplies_address] += 2;
 }
 
+/// Counters of a fragment's extra passes and of the stages that act on it.
+void SteppedUnit::book_effects(const Draw& draw) {
+  auto& c = result_.counters;
+  const reference::DrawEffects& e = draw.effects;
+  for (int pass = 0; pass < e.passes; ++pass) c[UnitCounter::multiplies_eval] += 8;
+  if ((e.stages & 1) != 0) c[UnitCounter::multiplies_effects] += eval_.lum_frac == 0 ? 1 : 2;
+  if ((e.stages & 2) != 0) c[UnitCounter::multiplies_effects] += e.argument % 2 == 1 ? 3 : 1;
+}
+
 std::vector<SteppedUnit::Beat> SteppedUnit::make_beats(std::size_t number) {
   const UnitFragment& fragment = fragments_[number];
   const Draw& draw = draws_[fragment.draw];
-  const int words = reference::draw_words(draw);
+  const int words =
+      reference::map_planes(draw.format) + (draw.color ? 1 : 0) + 2 * draw.effects.sets;
   std::vector<Beat> beats;
   for (int probe = 0; probe < 1 << fragment.probes_log2; ++probe) {
     for (int m = 0; m < reference::footprint_count(draw, fragment); ++m) {
@@ -119,6 +136,7 @@ std::vector<SteppedUnit::Beat> SteppedUnit::make_beats(std::size_t number) {
   if (draw.combine == Combine::decal || draw.combine == Combine::blend) {
     c[UnitCounter::multiplies_combine] += 6;
   }
+  book_effects(draw);
   return beats;
 }
 

@@ -11,8 +11,15 @@ using reference::TextureFormat;
 using reference::UnitCounter;
 
 SteppedUnit::SteppedUnit(const reference::UnitConfig& unit, const std::vector<Draw>& draws,
-                         const pipeline::StreamTiming& timing, pipeline::MemoryTiming& memory)
-    : unit_(unit), draws_(draws), timing_(timing), memory_(memory) {
+                         const pipeline::StreamTiming& timing, pipeline::MemoryTiming& memory,
+                         const reference::EvalConfig& eval)
+    : unit_(unit), eval_(eval), draws_(draws), timing_(timing), memory_(memory) {
+  constexpr std::array<std::size_t, 3> kStageRegisters{3, 1,
+                                                       1};  // the page's: power, modulate, add
+  for (std::size_t stage = 0; stage < kStageRegisters.size(); ++stage) {
+    const std::size_t more = (unit.stages >> stage & 1) != 0 ? kStageRegisters[stage] : 0;
+    chain_.resize(chain_.size() + more);
+  }
   begin(false);
 }
 
@@ -84,23 +91,36 @@ void SteppedUnit::classify() {
   }
 }
 
-/// Evaluator, its FIFO, C1, C2.
+/// Evaluator, its FIFO, C1, C2, the effect chain.
 void SteppedUnit::step_output() {
-  if (c2_ && !stalled(timing_, cycle_)) {
-    c2_ = false;
-    result_.taken.push_back(cycle_);
+  // The unit's output is the chain's last register, or C2 where there is no chain.
+  for (std::size_t left = chain_.size() + 1; left-- > 0;) {
+    if (left == 0 ? !c2_ : !chain_[left - 1]) continue;
+    if (left == chain_.size() ? stalled(timing_, cycle_) : chain_[left]) continue;
+    if (left == chain_.size()) {
+      result_.taken.push_back(cycle_);
+    } else {
+      chain_[left] = true;
+    }
+    if (left == 0) {
+      c2_ = false;
+    } else {
+      chain_[left - 1] = false;
+    }
   }
   if (c1_ && !c2_) {
     c1_ = false;
     c2_ = true;
   }
-  const bool fifo_accepts = e_fifo_ < 2;
-  if (e_fifo_ > 0 && !c1_) {
-    --e_fifo_;
+  const bool fifo_accepts = e_fifo_.size() < 2;
+  if (!e_fifo_.empty() && e_fifo_.front() == Pass::extra) {
+    e_fifo_.pop_front();  // whatever C1 does
+  } else if (!e_fifo_.empty() && !c1_) {
+    e_fifo_.pop_front();
     c1_ = true;
   }
-  if (e_.back() && (!*e_.back() || fifo_accepts)) {
-    if (*e_.back()) ++e_fifo_;
+  if (e_.back() && (*e_.back() == Pass::part || fifo_accepts)) {
+    if (*e_.back() != Pass::part) e_fifo_.push_back(*e_.back());
     e_.back().reset();
   }
   for (std::size_t i = e_.size() - 1; i-- > 0;) {
@@ -108,7 +128,12 @@ void SteppedUnit::step_output() {
   }
   e_free_ = !e_.front();
   if (o_ && e_free_) {
-    e_.front() = --o_->passes_left == 0;
+    if (o_->extra_left > 0) {
+      --o_->extra_left;
+      e_.front() = Pass::extra;
+    } else {
+      e_.front() = --o_->passes_left == 0 ? Pass::last : Pass::part;
+    }
     if (o_->passes_left == 0) o_.reset();
   }
   o_free_ = !o_;
@@ -117,8 +142,10 @@ void SteppedUnit::step_output() {
 /// L3, L2, L1, P, D, F.
 void SteppedUnit::step_filter() {
   if (l3_ && (!l3_->last || o_free_)) {
-    if (l3_->last)
-      o_ = Operands{(reference::draw_passes(*l3_->draw) + unit_.eval_lanes - 1) / unit_.eval_lanes};
+    const Draw& draw = *l3_->draw;
+    const bool three =
+        draw.format == TextureFormat::rgb || draw.format == TextureFormat::palette_rgb;
+    if (l3_->last) o_ = Operands{draw.effects.passes, three && unit_.eval_lanes == 1 ? 3 : 1};
     l3_.reset();
   }
   if (l2_ && !l3_) std::swap(l2_, l3_);

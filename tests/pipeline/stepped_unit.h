@@ -11,13 +11,15 @@
 
 namespace ptm::tests {
 
-/// docs/spec/unit-timing.md stepped cycle by cycle: every register, FIFO, slot and counter as the
-/// page names it, decided from the state at the start of a cycle. Written from the page alone, to
-/// be slow and plain; the pipeline model's maxima and the RTL are held against it.
+/// docs/spec/unit-timing.md and docs/spec/effects.md stepped cycle by cycle: every register, FIFO,
+/// slot and counter as the pages name it, decided from the state at the start of a cycle. Written
+/// from the pages alone, to be slow and plain; the pipeline model's maxima and the RTL are held
+/// against it.
 class SteppedUnit {
  public:
   SteppedUnit(const reference::UnitConfig& unit, const std::vector<reference::Draw>& draws,
-              const pipeline::StreamTiming& timing, pipeline::MemoryTiming& memory);
+              const pipeline::StreamTiming& timing, pipeline::MemoryTiming& memory,
+              const reference::EvalConfig& eval = {});
 
   /// One frame; the caches stay as they are if the frame says so.
   [[nodiscard]] pipeline::UnitFrameResult run(const pipeline::UnitFrame& frame);
@@ -31,7 +33,7 @@ class SteppedUnit {
   struct Word {
     std::size_t tmu = 0;
     int texture = 0, plane = 0;
-    bool palette = false;
+    bool palette = false, set = false;  ///< looked up; of an extra set
     std::vector<Tap> taps;
   };
   struct LineRead {
@@ -74,6 +76,7 @@ class SteppedUnit {
                                const std::array<reference::Footprint, 2>& footprints) const;
   [[nodiscard]] Tap make_tap(const reference::Draw& draw, const Word& word,
                              const reference::Footprint& at, unsigned number) const;
+  void book_effects(const reference::Draw& draw);
   void book_beat(const Beat& beat, const reference::UnitFragment& fragment, int footprint);
   [[nodiscard]] static std::vector<Beat> split(const Beat& beat);
   void look_up(Beat& beat);
@@ -83,6 +86,7 @@ class SteppedUnit {
   [[nodiscard]] bool arrived(const Beat& beat) const;
 
   reference::UnitConfig unit_;
+  reference::EvalConfig eval_;
   std::vector<reference::Draw> draws_;
   pipeline::StreamTiming timing_;
   pipeline::MemoryTiming& memory_;
@@ -103,12 +107,14 @@ class SteppedUnit {
   std::deque<Beat> fifo_;
   Register k_, f_, d_, p_, l1_, l2_, l3_;
   struct Operands {
-    int passes_left = 0;
+    int extra_left = 0, passes_left = 0;
   };
   std::optional<Operands> o_;
-  std::array<std::optional<bool>, 7> e_;  ///< whether the pass completes its pixel
-  int e_fifo_ = 0;
+  enum class Pass { extra, part, last };  ///< the last one's pixel leaves with it
+  std::array<std::optional<Pass>, 7> e_;
+  std::deque<Pass> e_fifo_;
   bool c1_ = false, c2_ = false;
+  std::vector<bool> chain_;  ///< registers behind C2: whether each holds a pixel
   int free_slots_ = 0;
   std::vector<LineRead> reads_;
   std::size_t requested_ = 0;

@@ -28,9 +28,9 @@ struct Bench {
 
   Bench(const std::string& name, const reference::UnitConfig& config,
         const std::vector<reference::Draw>& draws, const StreamTiming& timing,
-        const MemoryModel& model)
+        const MemoryModel& model, const reference::EvalConfig& eval = {})
       : memory((name + "_memory").c_str(), make_memory(model), {}, clock_period()),
-        unit((name + "_unit").c_str(), config, draws, timing, {}, clock_period()) {
+        unit((name + "_unit").c_str(), config, draws, timing, {}, clock_period(), eval) {
     unit.memory.socket.bind(memory.socket);
   }
 
@@ -54,42 +54,49 @@ void expect_equal(const UnitFrameResult& exact, const UnitFrameResult& stepped,
   }
 }
 
-class TextureUnits : public testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(TextureUnits, EqualTheSteppedRulesInEveryPixelsCycleAndEveryCounter) {
-  constexpr std::uint64_t kUnits = 40;
+void expect_stepped_units(std::uint64_t first_seed, std::uint64_t units, bool with_effects) {
   std::vector<RandomUnit> cases;
   std::vector<std::unique_ptr<Bench>> benches;
-  for (std::uint64_t n = 0; n < kUnits; ++n) {
-    const RandomUnit& c = cases.emplace_back(GetParam() * kUnits + n);
+  for (std::uint64_t n = 0; n < units; ++n) {
+    const RandomUnit& c = cases.emplace_back(first_seed + n, with_effects);
     reference::validate(c.unit);
-    for (const auto& draw : c.draws) ASSERT_EQ(reference::check_draw(draw, 1 << 26), 0U);
+    for (const auto& draw : c.draws) ASSERT_EQ(reference::check_draw(draw, 1 << 26, c.unit), 0U);
     benches.push_back(std::make_unique<Bench>(std::string("n").append(std::to_string(n)), c.unit,
-                                              c.draws, c.timing, c.memory));
+                                              c.draws, c.timing, c.memory, c.eval));
   }
   sc_core::sc_start(sc_core::SC_ZERO_TIME);
-  for (std::uint64_t n = 0; n < kUnits; ++n) {
+  for (std::uint64_t n = 0; n < units; ++n) {
     const RandomUnit& c = cases[n];
     const auto memory = make_memory(c.memory);
-    SteppedUnit stepped(c.unit, c.draws, c.timing, *memory);
+    SteppedUnit stepped(c.unit, c.draws, c.timing, *memory, c.eval);
     for (const UnitFrame& frame :
          {UnitFrame{c.fragments, false}, UnitFrame{c.fragments, c.keep_cache}}) {
       const UnitFrameResult want = stepped.run(frame);
-      expect_equal(benches[n]->run(frame), want, GetParam() * kUnits + n);
+      expect_equal(benches[n]->run(frame), want, first_seed + n);
       std::uint64_t classes = 0;
       for (std::size_t k = 3; k <= 7; ++k) classes += want.counters.value[k];
       EXPECT_EQ(classes, want.counters[UnitCounter::cycles]);
     }
-    if (HasFatalFailure() || HasFailure()) break;
+    if (testing::Test::HasFailure()) break;
   }
+}
+
+class TextureUnits : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(TextureUnits, EqualTheSteppedRulesInEveryPixelsCycleAndEveryCounter) {
+  expect_stepped_units(GetParam() * 40, 40, false);
+}
+
+TEST_P(TextureUnits, WithEffectsEqualTheSteppedRulesInEveryPixelsCycleAndEveryCounter) {
+  expect_stepped_units(GetParam() * 40, 40, true);
 }
 
 TEST(RandomUnits, ReachEveryCounter) {
   reference::UnitCounters sum;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const RandomUnit c(seed);
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    const RandomUnit c(seed, seed >= 60);
     const auto memory = make_memory(c.memory);
-    const auto result = SteppedUnit(c.unit, c.draws, c.timing, *memory).run({c.fragments});
+    const auto result = SteppedUnit(c.unit, c.draws, c.timing, *memory, c.eval).run({c.fragments});
     for (std::size_t n = 0; n < sum.value.size(); ++n) sum.value[n] += result.counters.value[n];
   }
   for (std::size_t n = 0; n < sum.value.size(); ++n) {

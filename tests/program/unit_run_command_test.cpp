@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "golden/files/picture_file.h"
 #include "tests/run_program.h"
@@ -13,6 +14,28 @@ const std::string kMap = "[[texture]]\nname = \"m\"\ngenerate = \"relief\"\nsize
 const std::string kPlane = "[[object]]\nkind = \"plane\"\ntexture = \"m\"\n";
 const std::string kLight = "[[light]]\ndirection = [0, -3, 4]\n";
 const std::string kUnbuilt = "[hardware]\ntmus = 2\ncache_kib = 4\n";
+
+/// A variable of the environment for as long as this stands.
+class Environment {
+ public:
+  Environment(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Environment() {
+    if (before_) {
+      setenv(name_, before_->c_str(), 1);
+    } else {
+      unsetenv(name_);
+    }
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
 
 /// Scenes with [[object]] through the program.
 class UnitRunCommand : public tests::Program {
@@ -82,10 +105,26 @@ TEST_F(UnitRunCommand, RefusesALightThatThePresetCannotExpressNamingIt) {
   EXPECT_NE(report().dump().find("preset paper8 is left out of the table"), std::string::npos);
 }
 
-TEST_F(UnitRunCommand, RefusesHardwareThatIsNotBuiltAsRtlListingWhatIs) {
-  refused(kImage + kMap + kPlane + kLight + kUnbuilt,
-          "line 12 (hardware): found parameters that no RTL unit is built with, expected models "
-          "without rtl, or one of base3 (tmus 3, cache_kib 16, ");
+TEST_F(UnitRunCommand, BuildsRtlThatDoesNotComeWithTheBuildOnceAndKeepsIt) {
+  const Environment cache("PTMSIM_CACHE", file("cache").string());
+  const std::string path = scene(kImage + kMap + kPlane + kLight + kUnbuilt);
+  const auto first = run("run " + path + out() + " --models reference,pipeline,rtl");
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_NE(first.err.find("building an RTL unit, once: CoefBits=8 "), std::string::npos);
+  EXPECT_EQ(report().at("unit").at("late_pixels"), 0);
+  EXPECT_GT(counter("rtl", "cycles"), 0U);
+  const auto second = run("run " + path + out() + " --models reference,pipeline,rtl");
+  ASSERT_EQ(second.code, 0) << second.err;
+  EXPECT_EQ(second.err, "");
+}
+
+TEST_F(UnitRunCommand, NamesThePackageOfAToolThatIsNeededToBuildRtl) {
+  const Environment cache("PTMSIM_CACHE", file("cache").string());
+  const Environment path("PATH", file("").string());
+  const auto outcome = run("run " + scene(kImage + kMap + kPlane + kLight + kUnbuilt) + out());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_NE(outcome.err.find("cmake is needed: install the package cmake"), std::string::npos)
+      << outcome.err;
 }
 
 TEST_F(UnitRunCommand, DrawsHardwareThatIsNotBuiltAsRtlWithTheOtherModels) {

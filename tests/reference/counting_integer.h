@@ -75,6 +75,11 @@ inline Counting larger(Counting a, Counting b) {
 inline Counting differs(Counting a, Counting b) { return Counting{a.value != b.value ? 1 : 0}; }
 inline Counting either(Counting a, Counting b) { return Counting{a.value | b.value}; }
 
+template <class Table>
+Counting look_up(const Table& table, Counting index) {
+  return Counting{reference::look_up(table, index.value)};
+}
+
 }  // namespace ptm::tests
 
 template <>

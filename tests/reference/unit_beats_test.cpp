@@ -18,16 +18,17 @@ using tests::UnitSceneMaker;
 void expect_word(const UnitScene& scene, const UnitFragment& f, const Beat& beat, int word,
                  const BeatWord& got) {
   const Draw& draw = scene.state.draws[f.draw];
-  const int planes = map_planes(draw.format), words = planes + (draw.color ? 1 : 0);
+  const int own = map_planes(draw.format), planes = own + 2 * draw.effects.sets;
+  const int words = planes + (draw.color ? 1 : 0);
   ASSERT_EQ(got.present, word < words);
   if (!got.present) {
     EXPECT_EQ(got.taps, 0U);
     return;
   }
-  const bool color = word == planes;
+  const bool color = draw.color && word == own;  // the sets' words come behind it
   EXPECT_EQ(got.word, word);
   EXPECT_EQ(got.texture, color ? 1 : 0);
-  EXPECT_EQ(got.plane, color ? 0 : word);
+  EXPECT_EQ(got.plane, color ? 0 : word > own && draw.color ? word - 1 : word);
   const UnitOracle::Level choice = UnitOracle::choose(draw, f, color);
   if (beat.footprint == 1 && choice.weight == 0) {
     EXPECT_EQ(got.taps, 0U);
@@ -72,7 +73,7 @@ void expect_beats(const UnitScene& scene, const UnitFragment& f, int tmus) {
   UnitConfig config;
   config.tmus = tmus;
   const std::vector<Beat> beats = fragment_beats(draw, f, config);
-  const int words = map_planes(draw.format) + (draw.color ? 1 : 0);
+  const int words = map_planes(draw.format) + (draw.color ? 1 : 0) + 2 * draw.effects.sets;
   const int footprints = has_two_footprints(draw, f) ? 2 : 1;
   const int groups = (words + tmus - 1) / tmus;
   ASSERT_EQ(beats.size(), static_cast<std::size_t>(groups * footprints) << f.probes_log2);
@@ -90,8 +91,8 @@ void expect_beats(const UnitScene& scene, const UnitFragment& f, int tmus) {
 }
 
 TEST(FragmentBeats, GoByProbeFootprintAndGroupAndReadTheTexelsOfTheContract) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    UnitSceneMaker maker(seed);
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    UnitSceneMaker maker(seed, seed >= 60);
     const UnitScene scene = maker.scene();
     for (int n = 0; n < 60; ++n) {
       const UnitFragment f = maker.fragment(scene);

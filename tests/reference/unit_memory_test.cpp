@@ -28,6 +28,10 @@ std::uint32_t expected_word(const UnitScene& scene, std::size_t d, bool color, i
   const auto bytes = [](auto a, auto b, auto c, auto e) { return a | b << 8 | c << 16 | e << 24; };
   if (color) return bytes(stored(22), stored(23), stored(24), stored(25));
   const int bits = std::max(8, scene.config.coef_bits);
+  if (plane >= map_planes(draw.format)) {
+    const int n = 26 + 3 * (plane - map_planes(draw.format));
+    return stored(n) | stored(n + 1) << bits | stored(n + 2) << 2 * bits;
+  }
   const auto l = static_cast<std::size_t>(level);
   const auto& source = scene.sources[d];
   switch (draw.format) {
@@ -50,7 +54,7 @@ void expect_texture(const UnitScene& scene, std::size_t d, bool color,
                     std::set<std::pair<std::uint32_t, unsigned>>& taken) {
   const Draw& draw = scene.state.draws[d];
   const TextureLevels& texture = color ? draw.color_texture : draw.map;
-  const int planes = color ? 1 : map_planes(draw.format);
+  const int planes = color ? 1 : map_planes(draw.format) + 2 * draw.effects.sets;
   for (int level = 0; level < texture.levels; ++level) {
     const std::uint32_t base = texture.base[static_cast<std::size_t>(level)];
     const std::uint64_t end = base + level_lines(texture, planes, level);
@@ -71,12 +75,12 @@ void expect_texture(const UnitScene& scene, std::size_t d, bool color,
 }
 
 TEST(UnitMemory, HoldsEveryTexelOfEveryLevelOnceWhereTheAddressSays) {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const UnitScene scene = UnitSceneMaker(seed).scene();
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    const UnitScene scene = UnitSceneMaker(seed, seed >= 40).scene();
     std::set<std::pair<std::uint32_t, unsigned>> taken;
     for (std::size_t d = 0; d < scene.state.draws.size(); ++d) {
       const Draw& draw = scene.state.draws[d];
-      ASSERT_EQ(check_draw(draw, scene.state.memory.size()), 0U);
+      ASSERT_EQ(check_draw(draw, scene.state.memory.size(), scene.unit), 0U);
       if (draw.format != TextureFormat::none) expect_texture(scene, d, false, taken);
       if (draw.color) expect_texture(scene, d, true, taken);
     }

@@ -6,9 +6,9 @@
 #include "tests/reference/exact_rational.h"
 #include "tests/reference/unit_scene.h"
 
-/// A second way to a fragment's pixel: docs/spec/unit.md read with rational arithmetic, from the
-/// pictures and maps themselves; it knows no lines, words or wires. D1 to D7 are the reference's,
-/// which has a second derivation of its own (luminance_test.cpp).
+/// A second way to a fragment's pixel: docs/spec/unit.md and docs/spec/effects.md read with
+/// rational arithmetic, from the pictures and maps themselves; it knows no lines, words or wires.
+/// D1 to D7 are the reference's, which has a second derivation of its own (luminance_test.cpp).
 namespace ptm::tests {
 
 class UnitOracle {
@@ -17,8 +17,8 @@ class UnitOracle {
 
   reference::UnitPixel pixel(const reference::UnitFragment& f) const {
     const reference::Draw& draw = scene_.state.draws[f.draw];
-    std::array<reference::Value, 26> fields{};
-    for (int n = 0; n < 26; ++n) fields[static_cast<std::size_t>(n)] = field(f, n);
+    Fields fields{};
+    for (int n = 0; n < 50; ++n) fields[static_cast<std::size_t>(n)] = field(f, n);
     reference::UnitPixel out;
     out.x = f.x;
     out.y = f.y;
@@ -28,6 +28,12 @@ class UnitOracle {
     for (std::size_t c = 0; c < 3; ++c) {
       out.rgb[c] = static_cast<std::uint8_t>(combine(draw, lit[c], color[c], color[3]));
     }
+    const Extra extra = extra_of(f);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const bool adds = (draw.effects.stages & 4) != 0;
+      const Wide more = adds ? drop(extra.addend[c], 4) : 0;
+      out.rgb[c] = static_cast<std::uint8_t>(limit(Wide{out.rgb[c]} + more, 0, 255));
+    }
     out.alpha = static_cast<std::uint8_t>(draw.combine == reference::Combine::replace ? color[3]
                                           : draw.format == reference::TextureFormat::lrgb
                                               ? drop(fields[21], scene_.config.filter_frac)
@@ -35,11 +41,45 @@ class UnitOracle {
     return out;
   }
 
+  /// X1's values and the addend behind X3.
+  struct Extra {
+    std::array<reference::Value, 4> value{};
+    std::array<Wide, 3> addend{};
+  };
+  Extra extra_of(const reference::UnitFragment& f) const {
+    const reference::Draw& draw = scene_.state.draws[f.draw];
+    Extra out;
+    for (int k = 0; k < draw.effects.passes; ++k) {
+      out.value[static_cast<std::size_t>(k)] =
+          luminance(f, draw.effects.pass[static_cast<std::size_t>(k)]);
+    }
+    const Wide one = Wide{1} << scene_.config.lum_frac;
+    if ((draw.effects.stages & 1) != 0) {
+      const auto& table = scene_.state.tables[f.draw];
+      const Wide x = std::min<Wide>(out.value[0], 255 * one);
+      const auto entry = [&](Wide i) {
+        return Wide{table[static_cast<std::size_t>(std::min<Wide>(i, 255))]};
+      };
+      const Wide low = entry(x / one), high = entry(x / one + 1);
+      const Wide e = low + drop((high - low) * (x % one), scene_.config.lum_frac);
+      out.addend.fill(drop(draw.ks * e, 8));
+    }
+    if ((draw.effects.stages & 2) != 0) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Wide value = out.value[draw.effects.argument % 2 != 0 ? 1 + c : 1];
+        const Wide m = std::min<Wide>(255, drop(value, scene_.config.lum_frac));
+        out.addend[c] = drop(out.addend[c] * (m < 128 ? m : m + 1), 8);
+      }
+    }
+    return out;
+  }
+
   /// Value of field n after the mean of probes.
   reference::Value field(const reference::UnitFragment& f, int n) const {
     const reference::Draw& draw = scene_.state.draws[f.draw];
-    const bool color = n >= 22;
+    const bool color = n >= 22 && n < 26;
     if (color ? !draw.color : draw.format == reference::TextureFormat::none) return 0;
+    if (n >= 26 + 6 * draw.effects.sets) return 0;
     const Level level = choose(draw, f, color);
     const int probes = 1 << f.probes_log2;
     Wide sum = 0;
@@ -100,6 +140,10 @@ class UnitOracle {
       return static_cast<std::size_t>(j * picture.width + i);
     };
     using reference::TextureFormat;
+    if (n >= 26) {
+      const auto& set = source.sets[(field - 26) / 6][l];
+      return set.coef[at(set) * 6 + (field - 26) % 6];
+    }
     if (n >= 22) return source.color[l].rgba[at(source.color[l]) * 4 + field - 22];
     if (draw.format == TextureFormat::lrgb) {
       const std::size_t k = at(source.map[l]);
@@ -121,6 +165,25 @@ class UnitOracle {
   }
 
  private:
+  using Fields = std::array<reference::Value, 50>;
+
+  reference::Value luminance(const reference::UnitFragment& f,
+                             const reference::ExtraPass& pass) const {
+    const reference::Draw& draw = scene_.state.draws[f.draw];
+    const int s = pass.set - 1;
+    reference::LrgbOperands<> in;
+    in.bias = s < 0 ? draw.bias : draw.effects.bias[static_cast<std::size_t>(s)];
+    in.shift = s < 0 ? draw.shift : draw.effects.shift[static_cast<std::size_t>(s)];
+    for (int i = 0; i < 6; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      in.coef[at] =
+          f.lit ? field(f, s < 0 ? i : 26 + 6 * s + i) : in.bias[at] << scene_.config.filter_frac;
+    }
+    in.lu = pass.half ? f.hu : f.lu;
+    in.lv = pass.half ? f.hv : f.lv;
+    return reference::evaluate_lrgb<reference::Value>(scene_.config, in).luminance.lum.lum;
+  }
+
   [[nodiscard]] bool nearest() const {
     return scene_.config.rounding == reference::Rounding::nearest;
   }
@@ -131,7 +194,7 @@ class UnitOracle {
   }
 
   Wide sample(const reference::Draw& draw, std::size_t d, int level, int n, Wide u, Wide v) const {
-    const reference::TextureLevels& t = n >= 22 ? draw.color_texture : draw.map;
+    const reference::TextureLevels& t = n >= 22 && n < 26 ? draw.color_texture : draw.map;
     const Column c = column(draw.wrap_u, draw.bilinear, u, std::max(1, t.width >> level));
     const Column r = column(draw.wrap_v, draw.bilinear, v, std::max(1, t.height >> level));
     const auto at = [&](Wide i, Wide j) -> Wide {
@@ -147,8 +210,7 @@ class UnitOracle {
   }
 
   std::array<reference::Value, 3> evaluate(const reference::Draw& draw,
-                                           const reference::UnitFragment& f,
-                                           const std::array<reference::Value, 26>& fields,
+                                           const reference::UnitFragment& f, const Fields& fields,
                                            reference::UnitPixel& out) const {
     using reference::TextureFormat;
     if (draw.format == TextureFormat::none) return {0, 0, 0};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/reference/effects/power_table.h"
 #include "model/reference/unit/unit_fragment.h"
 #include "model/reference/unit/unit_memory.h"
 #include "tests/reference/random_config.h"
@@ -17,11 +18,13 @@ struct DrawSource {
   std::vector<reference::StoredTexture> map;
   std::vector<reference::StoredPaletteMap> palette_map;
   std::vector<std::vector<std::uint8_t>> map_alpha;  ///< [level][texel], LRGB only
+  std::vector<reference::StoredSet> sets;            ///< of the draw's effects
   std::vector<reference::StoredPicture> color;
 };
 
 struct UnitScene {
   reference::EvalConfig config;
+  reference::UnitConfig unit;  ///< built with what the draws need; all else as it is by default
   reference::UnitState state;
   std::vector<DrawSource> sources;                            ///< of each draw
   std::array<std::vector<std::uint16_t>, 4> lrgb_palettes{};  ///< [entry][6]
@@ -31,8 +34,8 @@ struct UnitScene {
 inline std::string describe(const reference::UnitFragment& f) {
   std::ostringstream out;
   out << "u " << f.u << " v " << f.v << " axis " << f.axis_u << ' ' << f.axis_v << " lod " << f.lod
-      << " probes_log2 " << int{f.probes_log2} << " light " << f.lu << ' ' << f.lv << " lit "
-      << f.lit << " draw " << int{f.draw};
+      << " probes_log2 " << int{f.probes_log2} << " light " << f.lu << ' ' << f.lv
+      << " half-vector " << f.hu << ' ' << f.hv << " lit " << f.lit << " draw " << int{f.draw};
   return out.str();
 }
 
@@ -40,15 +43,27 @@ inline std::string describe(const reference::UnitFragment& f) {
 /// 4,096 that are seldom powers of two, colour textures of a size of their own.
 class UnitSceneMaker {
  public:
-  explicit UnitSceneMaker(std::uint64_t seed) : rng_(seed) {}
+  /// With effects: units with any part of docs/spec/effects.md, and draws that use some of it.
+  explicit UnitSceneMaker(std::uint64_t seed, bool with_effects = false)
+      : rng_(seed), with_effects_(with_effects) {}
 
   UnitScene scene(int draws = 4) { return scene(config(), draws); }
   UnitScene scene(const reference::EvalConfig& built_for, int draws = 4) {
     UnitScene out;
     out.config = built_for;
     fill_palettes(out);
-    for (int d = 0; d < draws; ++d) add_draw(out);
-    return out;
+    if (with_effects_) build_effects(out.unit);
+    return add_draws(std::move(out), draws);
+  }
+  /// With effects, of which that unit has what they need.
+  UnitScene scene(const reference::EvalConfig& built_for, const reference::UnitConfig& unit,
+                  int draws = 4) {
+    UnitScene out;
+    out.config = built_for;
+    out.unit = unit;
+    with_effects_ = true;
+    fill_palettes(out);
+    return add_draws(std::move(out), draws);
   }
 
   /// Any fragment of a format's range, extremes often.
@@ -67,6 +82,10 @@ class UnitSceneMaker {
     f.lu = in(-light, light - 1);
     f.lv = in(-light, light - 1);
     f.lit = in(0, 7) != 0;
+    if (scene.unit.half_vector) {
+      f.hu = in(-light, light - 1);
+      f.hv = in(-light, light - 1);
+    }
     f.x = static_cast<std::uint16_t>(in(0, 16383));
     f.y = static_cast<std::uint16_t>(in(0, 16383));
     return f;
@@ -75,6 +94,67 @@ class UnitSceneMaker {
   int in(int low, int high) { return std::uniform_int_distribution(low, high)(rng_); }
 
  private:
+  UnitScene add_draws(UnitScene out, int draws) {
+    for (int d = 0; d < draws; ++d) add_draw(out);
+    return out;
+  }
+
+  void build_effects(reference::UnitConfig& unit) {
+    unit.extra_passes = in(0, reference::kExtraPasses);
+    unit.extra_sets = in(0, unit.extra_passes);
+    unit.half_vector = unit.extra_passes > 0 && in(0, 1) != 0;
+    unit.stages = static_cast<unsigned>(in(0, 2) != 0 ? 7 : in(0, 7));
+  }
+
+  /// What a draw uses of what there is, and its table.
+  void use_effects(UnitScene& out, reference::Draw& draw) {
+    using reference::TextureFormat;
+    reference::DrawEffects& e = draw.effects;
+    const bool own =
+        draw.format == TextureFormat::lrgb || draw.format == TextureFormat::palette_lrgb;
+    if (draw.format != TextureFormat::none) e.sets = in(0, out.unit.extra_sets);
+    if (own || e.sets > 0) e.passes = in(in(0, 1) * out.unit.extra_passes, out.unit.extra_passes);
+    for (int k = 0; k < e.passes; ++k) {
+      e.pass[static_cast<std::size_t>(k)] = {in(own ? 0 : 1, e.sets),
+                                             out.unit.half_vector && in(0, 1) != 0};
+    }
+    for (int s = 0; s < e.sets; ++s) {
+      fill(e.bias[static_cast<std::size_t>(s)], (1 << out.config.coef_bits) - 1);
+      fill_shifts(out.config, e.shift[static_cast<std::size_t>(s)]);
+    }
+    e.stages = out.unit.stages & static_cast<unsigned>(in(0, 1) != 0 ? 7 : in(0, 7));
+    e.argument = static_cast<std::uint32_t>(in(0, 3));
+    reference::EffectTable table = reference::effect_table(in(0, 1) != 0 ? in(1, 20) : in(1, 255));
+    if (in(0, 3) == 0) fill(table, 4095);  // entries need not rise
+    out.state.tables.resize(out.state.draws.size());
+    out.state.tables.push_back(table);
+  }
+
+  void fill_shifts(const reference::EvalConfig& built_for,
+                   reference::Six<reference::Value>& shift) {
+    for (auto& s : shift) s = in(built_for.shift_min, 15);
+    if (built_for.shift_groups == 3) {
+      shift[1] = shift[2] = shift[0];
+      shift[4] = shift[3];
+    }
+  }
+
+  template <class Level>
+  void fill_sets(const UnitScene& out, const reference::Draw& draw, const std::vector<Level>& like,
+                 DrawSource& source) {
+    for (int s = 0; s < draw.effects.sets; ++s) {
+      reference::StoredSet set;
+      for (const Level& level : like) {
+        reference::StoredTexture& made = set.emplace_back();
+        made.width = level.width;
+        made.height = level.height;
+        made.coef.resize(static_cast<std::size_t>(level.width * level.height) * 6);
+        fill(made.coef, (1 << out.config.coef_bits) - 1);
+      }
+      source.sets.push_back(std::move(set));
+    }
+  }
+
   template <class Range>
   void fill(Range& values, int most) {
     for (auto& v : values) v = static_cast<std::decay_t<decltype(v)>>(in(0, most));
@@ -149,7 +229,7 @@ class UnitSceneMaker {
   }
 
   /// Alpha is a byte that the maker of maps leaves at 255; the unit filters whatever is there.
-  void add_alpha(const reference::TextureLevels& at, DrawSource& source,
+  void add_alpha(const reference::TextureLevels& at, int planes, DrawSource& source,
                  std::vector<reference::Line>& memory) {
     for (std::size_t l = 0; l < source.map.size(); ++l) {
       const auto width = static_cast<std::size_t>(source.map[l].width);
@@ -157,7 +237,8 @@ class UnitSceneMaker {
       fill(alpha, 255);
       for (std::size_t k = 0; k < alpha.size(); ++k) {
         const std::size_t x = k % width, y = k / width;
-        const std::size_t line = at.base[l] + ((y / 4) * ((width + 3) / 4) + x / 4) * 3 + 2;
+        const std::size_t tile = (y / 4) * ((width + 3) / 4) + x / 4;
+        const std::size_t line = at.base[l] + tile * static_cast<std::size_t>(planes) + 2;
         std::uint32_t& word = memory[line][y % 4 * 4 + x % 4];
         word = (word & 0xFFFFFFU) | static_cast<std::uint32_t>(alpha[k]) << 24;
       }
@@ -176,8 +257,9 @@ class UnitSceneMaker {
       fill(level.color, 255);
       return level;
     });
-    draw.map = append_map(out.config, source.map, out.state.memory);
-    if (!rgb) add_alpha(draw.map, source, out.state.memory);
+    fill_sets(out, draw, source.map, source);
+    draw.map = append_map(out.config, source.map, source.sets, out.state.memory);
+    if (!rgb) add_alpha(draw.map, 3 + 2 * draw.effects.sets, source, out.state.memory);
   }
 
   void add_palette_map(UnitScene& out, reference::Draw& draw, DrawSource& source) {
@@ -191,7 +273,8 @@ class UnitSceneMaker {
       fill(level.color, 255);
       return level;
     });
-    draw.map = append_palette_map(source.palette_map, out.state.memory);
+    fill_sets(out, draw, source.palette_map, source);
+    draw.map = append_palette_map(out.config, source.palette_map, source.sets, out.state.memory);
   }
 
   void add_color(UnitScene& out, reference::Draw& draw, DrawSource& source) {
@@ -219,14 +302,11 @@ class UnitSceneMaker {
     draw.color_lod = in(0, 1) != 0 ? in(-512, 512) : in(-4096, 4095);
     draw.palette = in(0, 3);
     fill(draw.bias, (1 << out.config.coef_bits) - 1);
-    for (auto& s : draw.shift) s = in(out.config.shift_min, 15);
-    if (out.config.shift_groups == 3) {
-      draw.shift[1] = draw.shift[2] = draw.shift[0];
-      draw.shift[4] = draw.shift[3];
-    }
+    fill_shifts(out.config, draw.shift);
     draw.ka = in(0, 511);
     draw.kd = in(0, 511);
     draw.ks = in(0, 511);
+    if (with_effects_) use_effects(out, draw);
     if (draw.format == TextureFormat::lrgb || draw.format == TextureFormat::rgb) {
       add_map(out, draw, source);
     } else if (draw.format != TextureFormat::none) {
@@ -238,6 +318,7 @@ class UnitSceneMaker {
   }
 
   std::mt19937_64 rng_;
+  bool with_effects_;
 };
 
 }  // namespace ptm::tests

@@ -35,6 +35,43 @@ TEST(UnitShade, EqualsTheContractReadWithRationalsOnRandomScenes) {
   for (const int count : combines) EXPECT_GT(count, 1000);
 }
 
+TEST(UnitShade, WithEffectsEqualsTheContractReadWithRationalsOnRandomScenes) {
+  std::array<int, 5> formats{}, sets{}, passes{};
+  std::array<int, 8> stages{};
+  int lightened = 0, unlit = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    UnitSceneMaker maker(seed, true);
+    const UnitScene scene = maker.scene();
+    const UnitOracle oracle(scene);
+    for (int n = 0; n < 120; ++n) {
+      const UnitFragment f = maker.fragment(scene);
+      const Draw& draw = scene.state.draws[f.draw];
+      ++formats[static_cast<std::size_t>(draw.format)];
+      ++sets[static_cast<std::size_t>(draw.effects.sets)];
+      ++passes[static_cast<std::size_t>(draw.effects.passes)];
+      ++stages[draw.effects.stages];
+      const ShadeTrace trace = shade_trace(scene.config, scene.state, f);
+      for (unsigned k = 0; k < kFields; ++k) {
+        ASSERT_EQ(trace.filtered[k], oracle.field(f, static_cast<int>(k)))
+            << "seed " << seed << " field " << k << ": " << tests::describe(f);
+      }
+      const UnitOracle::Extra extra = oracle.extra_of(f);
+      ASSERT_EQ(trace.value, extra.value) << "seed " << seed << ": " << tests::describe(f);
+      for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(trace.addend[c], extra.addend[c]);
+      ASSERT_EQ(trace.pixel, oracle.pixel(f)) << "seed " << seed << ": " << tests::describe(f);
+      ASSERT_EQ(shade(scene.config, scene.state, f), trace.pixel);
+      lightened += extra.addend[0] > 0 && (draw.effects.stages & 4) != 0 ? 1 : 0;
+      unlit += !f.lit && draw.effects.passes > 0 ? 1 : 0;
+    }
+  }
+  for (const auto& counts : {formats, sets, passes}) {
+    for (const int count : counts) EXPECT_GT(count, 300);
+  }
+  for (const int count : stages) EXPECT_GT(count, 300);
+  EXPECT_GT(lightened, 1000);
+  EXPECT_GT(unlit, 1000);
+}
+
 TEST(UnitShade, OfManyFragmentsEqualsEachAlone) {
   UnitSceneMaker maker(7);
   const UnitScene scene = maker.scene();

@@ -158,5 +158,71 @@ TEST(RtlUnitOperationCount, TheBackMultipliesInLerpsCombineAndEvaluatorOnly) {
   }
 }
 
+/// A unit built so, with that chain of stages.
+ModuleCounts count_unit(const std::string& parameters, const std::vector<std::string>& effects,
+                        const std::string& top = "ptm_unit") {
+  const std::string json = testing::TempDir() + "ptm_effect_cells_" + top + ".json";
+  std::string script = read_all({"rtl/files.f", "rtl/unit.f"});
+  for (const std::string& file : effects) script += ' ' + file;
+  if (!parameters.empty()) script += "; chparam " + parameters + ' ' + top;
+  return run_yosys(script + write_top(top, json), top, json);
+}
+
+int all_of(const ModuleCounts& counts, const std::string& type) {
+  int sum = 0;
+  for (const auto& [module, own] : counts) {
+    const auto found = own.find(type);
+    sum += found == own.end() ? 0 : found->second;
+  }
+  return sum;
+}
+
+constexpr const char* kSpecular = "-set HalfVector 1 -set ExtraPasses 1 -set Stages 5";
+constexpr const char* kEffects =
+    "-set HalfVector 1 -set ExtraSets 4 -set ExtraPasses 4 -set Stages 7";
+
+TEST(RtlUnitEffectCells, AUnitWithoutEffectsIsThatOfATableWithoutStagesCellByCell) {
+  const std::string table = testing::TempDir() + "ptm_no_stages.def";
+  const std::string chain = testing::TempDir() + "ptm_no_stages.sv";
+  std::ofstream(table) << "// no rows\n";
+  ASSERT_EQ(tests::run_tool("cmake -D PTM_CHAIN_TABLE=" + table + " -D PTM_CHAIN=" + chain +
+                            " -P cmake/EffectChain.cmake")
+                .status,
+            0);
+  const ModuleCounts with = count_unit("", tests::effect_files());
+  const ModuleCounts without = count_unit("", {chain});
+  EXPECT_GT(all_of(with, "$mul"), 100);
+  EXPECT_EQ(with, without);
+  for (const auto& [module, own] : with) {
+    EXPECT_EQ(module.find("ptm_effect"), std::string::npos) << module;
+    for (const char* name :
+         {"ptm_filter_sets", "ptm_extra_passes", "ptm_half_fifo", "ptm_by_draw"}) {
+      EXPECT_NE(module, name);
+    }
+  }
+  EXPECT_TRUE(count_unit(kSpecular, tests::effect_files()).contains("ptm_effect_power"));
+  std::filesystem::remove(table);
+  std::filesystem::remove(chain);
+}
+
+/// docs/spec/effects.md: a multiply a field of a set, one of the power (its lerp is not there
+/// without fraction bits), three of modulate; evaluator and lanes are shared.
+TEST(RtlUnitEffectCells, MultiplyInFieldsAndStagesOnly) {
+  const int plain = all_of(count_unit("", tests::effect_files(), "ptm_unit_back"), "$mul");
+  struct Built {
+    const char* name;
+    std::string parameters;
+    int more;
+  };
+  for (const Built& built :
+       {Built{"specular", kSpecular, 1}, Built{"effects", kEffects, 24 + 1 + 3},
+        Built{"specular, lum_frac 4", std::string(kSpecular) + " -set LumFrac 4", 2}}) {
+    const auto counts = count_unit(built.parameters, tests::effect_files(), "ptm_unit_back");
+    const int multiplies = all_of(counts, "$mul");
+    std::cout << built.name << ": " << multiplies << " $mul, " << plain << " without effects\n";
+    EXPECT_EQ(multiplies, plain + built.more) << built.name;
+  }
+}
+
 }  // namespace
 }  // namespace ptm::reference

@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -22,6 +23,17 @@ inline std::vector<std::string> rtl_files(const std::string& list_name = "rtl/fi
   for (std::string line; std::getline(list, line);) {
     if (!line.empty() && line.rfind("//", 0) != 0) files.push_back(line);
   }
+  return files;
+}
+
+/// The stages of effects and their chain, which no list names.
+inline std::vector<std::string> effect_files() {
+  std::vector<std::string> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(PTM_SOURCE_DIR) + "/rtl/effects")) {
+    files.push_back("rtl/effects/" + entry.path().filename().string());
+  }
+  std::sort(files.begin(), files.end());
   return files;
 }
 

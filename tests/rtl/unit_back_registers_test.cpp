@@ -294,8 +294,8 @@ TEST_F(RtlUnitRegisters, EveryCounterIsReadInTwoHalvesAndNothingLiesBehindThem) 
               static_cast<std::uint32_t>((0x1234567800000000ULL * (n + 1)) >> 32))
         << n;
   }
-  for (const unsigned address :
-       {0x2000U + 74U, 0x2080U, 0x1000U, 0x1001U, 0x3000U, 0x0U, 0xA000U}) {
+  for (const unsigned address : {0x2000U + 2U * unsigned{reference::kUnitCounters}, 0x2080U,
+                                 0x2800U, 0x1000U, 0x1001U, 0x3000U, 0x0U, 0xA000U}) {
     EXPECT_EQ(bench_.read(address), 0U) << address;
   }
 }

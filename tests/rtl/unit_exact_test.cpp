@@ -55,33 +55,76 @@ void expect_same(const UnitFrameResult& rtl, const UnitFrameResult& model) {
   }
 }
 
-class RtlUnitExact : public testing::TestWithParam<Case> {};
-
-TEST_P(RtlUnitExact, HasTheCycleOfEveryPixelAndEveryCounter) {
-  const auto& [variant, condition] = GetParam();
-  UnitSceneMaker make(std::hash<std::string>{}(condition.name) % 1000);
-  const UnitScene scene = make.scene(variant.config);
-  const auto fragments = random_fragments(make, scene, 1500);
+/// A frame and the same one with what stands in the caches, in both models.
+void expect_same_frames(const testbench::RtlUnitVariant& variant, const Condition& condition,
+                        const UnitScene& scene,
+                        const std::vector<reference::UnitFragment>& fragments) {
   const auto unit = variant.make();
   unit->load(scene.state);
   const auto memory = make_memory(condition.memory);
   const std::array<UnitFrame, 2> frames{{{fragments}, {fragments, true}}};
   pipeline::UnitSimulation simulation;
   simulation.unit = variant.unit;
+  simulation.eval = variant.config;
   simulation.state = &scene.state;
   simulation.timing = condition.timing;
   simulation.memory = condition.memory;
   simulation.frames = {frames.size(), [&](std::size_t n) { return frames[n]; },
                        [&](std::size_t n, UnitFrameResult&& model) {
                          SCOPED_TRACE("frame " + std::to_string(n));
-                         expect_same(unit->run(frames[n], *memory, condition.timing), model);
+                         const auto rtl = unit->run(frames[n], *memory, condition.timing);
+                         expect_same(rtl, model);
+                         expect_pixels(scene, fragments, rtl.pixels);
                        }};
   simulate_texture_unit(simulation);
+}
+
+class RtlUnitExact : public testing::TestWithParam<Case> {};
+
+TEST_P(RtlUnitExact, HasTheCycleOfEveryPixelAndEveryCounter) {
+  const auto& [variant, condition] = GetParam();
+  UnitSceneMaker make(std::hash<std::string>{}(condition.name) % 1000);
+  const UnitScene scene = make.scene(variant.config);
+  expect_same_frames(variant, condition, scene, random_fragments(make, scene, 1500));
 }
 
 INSTANTIATE_TEST_SUITE_P(Units, RtlUnitExact, testing::ValuesIn(cases()), [](const auto& tested) {
   return std::string(tested.param.variant.name) + tested.param.condition.name;
 });
+
+struct EffectCase {
+  testbench::RtlUnitVariant variant;
+  Condition condition;
+  std::uint64_t seed;
+};
+
+std::vector<EffectCase> effect_cases() {
+  std::vector<EffectCase> all;
+  for (const auto& variant : effect_variants()) {
+    for (const Condition& condition : kConditions) {
+      for (const std::uint64_t seed : {1U, 2U, 3U}) all.push_back({variant, condition, seed});
+    }
+  }
+  return all;
+}
+
+class RtlUnitEffectsExact : public testing::TestWithParam<EffectCase> {};
+
+TEST_P(RtlUnitEffectsExact, HasTheCycleAndTheValueOfEveryPixelAndEveryCounter) {
+  const auto& [variant, condition, seed] = GetParam();
+  UnitSceneMaker make(seed);
+  const UnitScene scene = make.scene(variant.config, variant.unit);
+  EXPECT_TRUE(std::any_of(scene.state.draws.begin(), scene.state.draws.end(),
+                          [](const auto& draw) { return draw.effects.passes > 0; }));
+  expect_same_frames(variant, condition, scene, random_fragments(make, scene, 1000));
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, RtlUnitEffectsExact, testing::ValuesIn(effect_cases()),
+                         [](const auto& tested) {
+                           return std::string(tested.param.variant.name) +
+                                  tested.param.condition.name + "Scene" +
+                                  std::to_string(tested.param.seed);
+                         });
 
 }  // namespace
 }  // namespace ptm::tests

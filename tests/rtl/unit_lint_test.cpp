@@ -15,10 +15,10 @@ struct Built {
 class RtlUnitLint : public testing::TestWithParam<Built> {};
 
 TEST_P(RtlUnitLint, IsClean) {
-  const ToolRun run = run_tool(
-      std::string("verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f -f rtl/unit.f "
-                  "--top-module ptm_unit ") +
-      GetParam().parameters);
+  const ToolRun run = run_tool(std::string("verilator --lint-only -Wall -Irtl -y rtl/effects "
+                                           "rtl/lint.vlt -f rtl/files.f -f rtl/unit.f "
+                                           "--top-module ptm_unit ") +
+                               GetParam().parameters);
   EXPECT_EQ(run.status, 0) << run.output;
   EXPECT_EQ(run.output, "");
 }
@@ -33,6 +33,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Built{"Small",
                           "-GShiftGroups=3 -GCacheKib=1 -GWays=1 -GFragmentFifo=8 -GMissFifo=12 "
                           "-GPaletteLrgbPorts=2 -GPaletteRgbPorts=2 -GEvalLanes=3"},
+                    Built{"Effects", "-GHalfVector=1 -GExtraSets=4 -GExtraPasses=4 -GStages=7"},
+                    Built{"Specular", "-GHalfVector=1 -GExtraPasses=1 -GStages=5"},
+                    Built{"EffectsOneTmuLarge",
+                          "-GHalfVector=1 -GExtraSets=4 -GExtraPasses=4 -GStages=7 -GTmus=1 "
+                          "-GEvalLanes=3 -GLumFrac=4 -GFilterFrac=4 -GCoefBits=10 -GLumBits=12"},
+                    Built{"EffectsTwoTmusNarrow",
+                          "-GHalfVector=1 -GExtraSets=2 -GExtraPasses=3 -GStages=7 -GTmus=2 "
+                          "-GLumBits=8 -GRoundNearest=0"},
+                    Built{"PassesOnly", "-GExtraPasses=2"},
+                    Built{"SetsOnly", "-GExtraSets=1 -GExtraPasses=1"},
+                    Built{"StagesOnly", "-GStages=6"},
                     Built{"OneSet", "-GCacheKib=1 -GWays=4 -GFragmentFifo=4 -GPaletteLrgbPorts=1"},
                     Built{"Large",
                           "-GCacheKib=64 -GWays=4 -GFragmentFifo=1024 -GMissFifo=256 "
@@ -40,16 +51,30 @@ INSTANTIATE_TEST_SUITE_P(
                     Built{"LargeDirectMapped", "-GCacheKib=64 -GWays=1"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(RtlUnitSources, AreReadByYosysWithEveryModuleFound) {
+class RtlUnitSources : public testing::TestWithParam<Built> {};
+
+TEST_P(RtlUnitSources, AreReadByYosysWithEveryModuleFound) {
   std::string files;
   for (const char* list : {"rtl/files.f", "rtl/unit.f"}) {
     for (const std::string& file : rtl_files(list)) files += ' ' + file;
   }
-  const ToolRun run = run_tool("yosys -q -p 'read_verilog -sv -DYOSYS -Irtl" + files +
-                               "; hierarchy -check -top ptm_unit; proc; check -assert'");
+  for (const std::string& file : effect_files()) files += ' ' + file;
+  const ToolRun run =
+      run_tool("yosys -q -p 'read_verilog -sv -DYOSYS -Irtl" + files + GetParam().parameters +
+               "; hierarchy -check -top ptm_unit; proc; check -assert'");
   EXPECT_EQ(run.status, 0) << run.output;
   EXPECT_EQ(run.output.find("ERROR"), std::string::npos) << run.output;
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Parameters, RtlUnitSources,
+    testing::Values(Built{"Default", ""},
+                    Built{"Effects",
+                          "; chparam -set HalfVector 1 -set ExtraSets 4 -set ExtraPasses 4 "
+                          "-set Stages 7 -set Tmus 1 -set EvalLanes 3 -set LumFrac 4 ptm_unit"},
+                    Built{"Specular",
+                          "; chparam -set HalfVector 1 -set ExtraPasses 1 -set Stages 5 ptm_unit"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
 }  // namespace ptm::tests

@@ -21,6 +21,15 @@ inline std::vector<testbench::RtlUnitVariant> unit_variants() {
   return {variants.begin(), variants.end()};
 }
 
+/// Those with something that effects need.
+inline std::vector<testbench::RtlUnitVariant> effect_variants() {
+  std::vector<testbench::RtlUnitVariant> out;
+  for (const auto& variant : unit_variants()) {
+    if (variant.unit.extra_passes > 0) out.push_back(variant);
+  }
+  return out;
+}
+
 /// Fragments that jump, and runs of them that walk, so that lines are missed and hit.
 inline std::vector<reference::UnitFragment> random_fragments(UnitSceneMaker& make,
                                                              const UnitScene& scene,
@@ -52,7 +61,8 @@ inline void expect_sound(const reference::UnitCounters& c, std::size_t fragments
   EXPECT_EQ(c[UnitCounter::beats], c[UnitCounter::cycles_moved]);
   EXPECT_EQ(c[UnitCounter::lines_read], c[UnitCounter::tag_misses]);
   std::uint64_t hits = 0, misses = 0;
-  for (std::size_t n = 21; n < reference::kUnitCounters; n += 2) {
+  const auto first = static_cast<std::size_t>(UnitCounter::texture_first);
+  for (std::size_t n = first; n < first + 4 * reference::kDraws; n += 2) {
     hits += c.value[n];
     misses += c.value[n + 1];
   }

@@ -94,6 +94,7 @@ unsigned Address::gather(const DrawPlan& draw, const UnitFragment& fragment, boo
   return footprints;
 }
 
+template <bool kEffects>
 Cycle Address::send_split(UnitBeat& beat, unsigned split, Cycle offered) {
   static constexpr std::array<std::array<unsigned, 4>, 4> kMasks{
       {{15, 0, 0, 0}, {0b0101, 0b1010, 0, 0}, {0b0011, 0b1100, 0, 0}, {1, 2, 4, 8}}};
@@ -104,12 +105,15 @@ Cycle Address::send_split(UnitBeat& beat, unsigned split, Cycle offered) {
     beat.mask = kMasks[split][part];
     beat.completes = part + 1 == parts;
     beat.last = last && beat.completes;
-    sent = out_.accept(beat, sent + 1);
+    sent = out_.accept<kEffects>(beat, sent + 1);
   }
   beat.mask = 15;
   beat.completes = true;
   counters_.conflicts += parts - 1;
   return sent;
 }
+
+template Cycle Address::send_split<false>(UnitBeat&, unsigned, Cycle);
+template Cycle Address::send_split<true>(UnitBeat&, unsigned, Cycle);
 
 }  // namespace ptm::pipeline

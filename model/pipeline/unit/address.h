@@ -13,6 +13,7 @@ class Address final : public sc_core::sc_module {
   ~Address() override;
 
   /// Returns the cycle in which A0 takes the fragment.
+  template <bool kEffects>
   Cycle accept(const reference::UnitFragment& fragment, Cycle offered) {
     const Cycle enter = std::max(offered, free_);
     UnitBeat beat;
@@ -25,7 +26,7 @@ class Address final : public sc_core::sc_module {
       for (unsigned b = 0; b < beat.draw->beats; ++b) {
         beat.plan = &beat.draw->beat[b];
         beat.last = f + 1 == footprints && b + 1 == beat.draw->beats;
-        sent = send(beat, sent + 1);
+        sent = send<kEffects>(beat, sent + 1);
       }
     }
     free_ = sent;
@@ -58,19 +59,21 @@ class Address final : public sc_core::sc_module {
   void place(const DrawPlan& draw, const TexturePlan& texture, unsigned at, int level,
              reference::Value u, reference::Value v, bool second);
 
+  template <bool kEffects>
   Cycle send(UnitBeat& beat, Cycle offered) {
     return registers_.accept(offered, [&](Cycle in_a3) {
       const unsigned split = split_of(beat);
       if (split == 0) [[likely]] {
-        return out_.accept(beat, in_a3);
+        return out_.accept<kEffects>(beat, in_a3);
       }
-      return send_split(beat, split, in_a3);
+      return send_split<kEffects>(beat, split, in_a3);
     });
   }
   [[nodiscard]] static unsigned split_of(const UnitBeat& beat) {
     return (beat.plan->words_of[0] != 0 ? (*beat.tiles)[0].split : 0) |
            (beat.plan->words_of[1] != 0 ? (*beat.tiles)[1].split : 0);
   }
+  template <bool kEffects>
   Cycle send_split(UnitBeat& beat, unsigned split, Cycle offered);
 
   std::vector<DrawPlan> draws_;

@@ -14,6 +14,7 @@ class Commit final : public sc_core::sc_module {
   };
 
   /// `offered`: from when on the beat stands at the FIFO's exit.
+  template <bool kEffects>
   Stay accept(const UnitBeat& beat, Cycle offered) {
     Stay stay;
     stay.enter = std::max(offered, left_);
@@ -29,7 +30,7 @@ class Commit final : public sc_core::sc_module {
     ++beats_;
     left_ = stay.leave;
     first_ = false;
-    out_.accept(beat, stay.leave);
+    out_.accept<kEffects>(beat, stay.leave);
     return stay;
   }
 

@@ -1,5 +1,7 @@
 #include "model/pipeline/unit/draw_plan.h"
 
+#include "model/reference/effects/stages.h"
+
 namespace ptm::pipeline {
 namespace {
 
@@ -22,18 +24,26 @@ TexturePlan plan_texture(const TextureLevels& levels, int texture, int planes) {
 /// Fields that are filtered of a word.
 unsigned fields_of(TextureFormat format, const WordPlan& word) {
   if (word.texture == 1) return 4;
+  if (word.plane >= static_cast<unsigned>(reference::map_planes(format))) return 3;  // a set's
   if (format == TextureFormat::palette_lrgb) return 9;
   if (format == TextureFormat::palette_rgb) return 18;
   return format == TextureFormat::lrgb && word.plane == 2 ? 4 : 3;
 }
 
+/// The map's own planes, the colour texture, the planes of sets.
+WordPlan plan_word(const Draw& draw, unsigned word) {
+  const auto map_words = static_cast<unsigned>(reference::map_planes(draw.format));
+  if (word < map_words) return {0, word};
+  if (draw.color && word == map_words) return {1, 0};
+  return {0, word - (draw.color ? 1 : 0)};
+}
+
 void plan_beats(DrawPlan& plan, unsigned tmus) {
-  const auto map_words = static_cast<unsigned>(reference::map_planes(plan.draw.format));
   const auto words = static_cast<unsigned>(reference::draw_words(plan.draw));
   plan.beats = (words + tmus - 1) / tmus;
   for (unsigned w = 0; w < words; ++w) {
     BeatPlan& beat = plan.beat[w / tmus];
-    const WordPlan word = w < map_words ? WordPlan{0, w} : WordPlan{1, 0};
+    const WordPlan word = plan_word(plan.draw, w);
     beat.word[beat.words++] = word;
     plan.readers[word.texture][plan.words_of[word.texture]++] = {w % tmus, word.plane};
     ++beat.words_of[word.texture];
@@ -51,12 +61,12 @@ void plan_beats(DrawPlan& plan, unsigned tmus) {
 
 }  // namespace
 
-DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit) {
+DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit,
+                   const reference::EvalConfig& eval) {
   DrawPlan plan;
   plan.draw = draw;
   if (draw.format != TextureFormat::none) {
-    plan.texture[plan.texture_count++] =
-        plan_texture(draw.map, 0, reference::map_planes(draw.format));
+    plan.texture[plan.texture_count++] = plan_texture(draw.map, 0, reference::array_planes(draw));
   }
   if (draw.color) plan.texture[plan.texture_count++] = plan_texture(draw.color_texture, 1, 1);
   plan_beats(plan, static_cast<unsigned>(unit.tmus));
@@ -68,18 +78,23 @@ DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit) {
   } else if (draw.format == TextureFormat::palette_rgb) {
     plan.palette_ports = static_cast<unsigned>(unit.palette_rgb_ports);
   }
-  plan.beats_alone = plan.passes == 1 && plan.palette_ports == 0;
+  plan.beat[0].palette_ports = plan.palette_ports;  // the map's only own word is word 0
+  plan.extra_passes = static_cast<unsigned>(draw.effects.passes);
+  plan.effects = plan.extra_passes != 0 || unit.stages != 0;
+  plan.beats_alone = plan.passes == 1 && plan.palette_ports == 0 && !plan.effects;
   if (draw.format != TextureFormat::none) plan.eval_multiplies = passes == 3 ? 24 : 11;
+  plan.eval_multiplies += 8 * plan.extra_passes;
+  plan.effect_multiplies = reference::effects::stage_multiplies(eval, draw);
   constexpr std::array<unsigned, 6> kCombine{0, 3, 6, 6, 0, 0};
   plan.combine_multiplies = kCombine[static_cast<std::size_t>(draw.combine)];
   return plan;
 }
 
-std::vector<DrawPlan> plan_draws(const std::vector<Draw>& draws,
-                                 const reference::UnitConfig& unit) {
+std::vector<DrawPlan> plan_draws(const std::vector<Draw>& draws, const reference::UnitConfig& unit,
+                                 const reference::EvalConfig& eval) {
   std::vector<DrawPlan> plans;
   plans.reserve(draws.size());
-  for (const Draw& draw : draws) plans.push_back(plan_draw(draw, unit));
+  for (const Draw& draw : draws) plans.push_back(plan_draw(draw, unit, eval));
   return plans;
 }
 

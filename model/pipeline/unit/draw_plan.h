@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "model/reference/eval_config.h"
 #include "model/reference/unit/draw.h"
 #include "model/reference/unit/unit_config.h"
 
@@ -9,7 +10,7 @@
 namespace ptm::pipeline {
 
 inline constexpr int kTmusMax = 3;
-inline constexpr int kDrawWordsMax = 7;
+inline constexpr int kDrawWordsMax = 15;
 
 struct LevelPlan {
   int width = 1, height = 1;
@@ -35,6 +36,7 @@ struct BeatPlan {
   std::array<unsigned, 2> words_of{};       ///< of map and colour
   std::array<unsigned, 2> filter_fields{};  ///< of those words, docs/spec/unit.md, "multiply"
   unsigned address_multiplies = 0;          ///< without those of probes
+  unsigned palette_ports = 0;               ///< 0: no word of it is looked up
 };
 
 struct DrawPlan {
@@ -51,15 +53,20 @@ struct DrawPlan {
   };
   /// Who reads a texture, in the order of its words: `words_of` of them.
   std::array<std::array<Reader, kDrawWordsMax>, 2> readers{};
-  unsigned passes = 1;
-  bool beats_alone =
-      false;  ///< one pass, no palette: a beat may be a fragment, and pass as it came
+  unsigned passes = 1;        ///< the map's own, in time
+  unsigned extra_passes = 0;  ///< before them
+  bool effects = false;       ///< there are such, or stages behind the combine stage
+  /// One pass, no palette, no effects: a beat may be a fragment, and pass as it came.
+  bool beats_alone = false;
   unsigned palette_ports = 0;  ///< 0: the map has no palette
-  unsigned eval_multiplies = 0, combine_multiplies = 0;
+  unsigned eval_multiplies = 0, combine_multiplies = 0, effect_multiplies = 0;
 };
 
-[[nodiscard]] DrawPlan plan_draw(const reference::Draw& draw, const reference::UnitConfig& unit);
+/// Only the multiplies of effects look at the evaluator's configuration.
+[[nodiscard]] DrawPlan plan_draw(const reference::Draw& draw, const reference::UnitConfig& unit,
+                                 const reference::EvalConfig& eval);
 [[nodiscard]] std::vector<DrawPlan> plan_draws(const std::vector<reference::Draw>& draws,
-                                               const reference::UnitConfig& unit);
+                                               const reference::UnitConfig& unit,
+                                               const reference::EvalConfig& eval);
 
 }  // namespace ptm::pipeline

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "model/pipeline/effects/stages.h"
 #include "model/pipeline/unit/loose_sample.h"
 #include "model/pipeline/unit/loose_time.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 using reference::UnitFragment;
 
-/// Cycles from a beat's leaving the commit stage to its pixel's being taken.
+/// Cycles from a beat's leaving the commit stage to its pixel's being taken, without effects.
 constexpr double kDrain = 17;
 /// Cycles after which saved fragments are spent at the latest, so that FIFO and ring are felt.
 constexpr double kSaved = 32;
@@ -20,9 +21,10 @@ class LooseUnit {
  public:
   LooseUnit(const reference::UnitConfig& unit, const reference::UnitState& state,
             const MemoryModel& memory, int tile, const StreamTiming& timing)
-      : draws_(plan_draws(state.draws, unit)),
+      : draws_(plan_draws(state.draws, unit, {})),
         tmus_(static_cast<std::size_t>(unit.tmus)),
         tile_(static_cast<std::size_t>(tile)),
+        chain_(effects::chain_registers(unit.stages)),
         map_(unit),
         time_(unit, make_memory(memory)) {
     for (int t = 0; t < unit.tmus; ++t) caches_.emplace_back(map_.rows(), unit.ways);
@@ -42,8 +44,9 @@ class LooseUnit {
     advance();
     UnitEstimate out{.fragments = fragments.size()};
     if (fragments.empty()) return out;
-    const unsigned passes = draws_[fragments.back().draw].passes;
-    out.cycles = static_cast<std::uint64_t>(time_.commit() + kDrain + passes);
+    const DrawPlan& draw = draws_[fragments.back().draw];
+    const double behind = kDrain + draw.passes + draw.extra_passes + chain_;
+    out.cycles = static_cast<std::uint64_t>(time_.commit() + behind);
     out.beats = static_cast<std::uint64_t>(time_.beats());
     out.lines_read = time_.requests();
     return out;
@@ -219,6 +222,7 @@ class LooseUnit {
 
   std::vector<DrawPlan> draws_;
   std::size_t tmus_, tile_;
+  double chain_;  ///< registers behind the combine stage
   SetMap map_;
   std::vector<TagCache> caches_;
   LooseTime time_;

@@ -18,6 +18,7 @@ class Fetch final : public sc_core::sc_module {
   /// F accepts from this cycle on.
   [[nodiscard]] Cycle free() const { return free_; }
   /// The beat's transfer into F, not before free().
+  template <bool kEffects>
   void accept(const UnitBeat& beat, Cycle enter) {
     const bool plain = beat.last && beat.draw->beats_alone;
     if (plain && clear_) [[likely]] {
@@ -25,7 +26,7 @@ class Fetch final : public sc_core::sc_module {
       free_ = enter + 1;
       return;
     }
-    free_ = out_.accept(beat, enter + 1);
+    free_ = out_.accept<kEffects>(beat, enter + 1);
     clear_ = plain && !stalls_ && sink_.taken.back() == enter + kWay;
   }
   void reset() {

@@ -5,16 +5,18 @@
 namespace ptm::pipeline {
 
 /// P, L1, L2, L3 and O: a beat's taps become a word, the beats of a fragment its operands, and
-/// those one pass or three.
+/// those one pass or three, behind those that effects add.
 class Filter final : public sc_core::sc_module {
  public:
   Filter(const sc_core::sc_module_name& name, UnitEvaluator& out) : sc_module(name), out_(out) {}
 
-  /// A whole beat offered to P; returns the cycle in which P takes it.
+  /// kEffects, here and upstream: the unit has stages behind the combine stage, or draws with extra
+  /// passes. A whole beat offered to P; returns the cycle in which P takes it.
+  template <bool kEffects>
   Cycle accept(const UnitBeat& beat, Cycle offered) {
     return registers_.accept(offered, [&](Cycle in_l3) {
       // To the accumulators at once, or with them to O.
-      return beat.last ? send_passes(beat.draw->passes, in_l3) : in_l3;
+      return beat.last ? send_passes<kEffects>(*beat.draw, in_l3) : in_l3;
     });
   }
   void reset() {
@@ -23,10 +25,17 @@ class Filter final : public sc_core::sc_module {
   }
 
  private:
-  Cycle send_passes(unsigned passes, Cycle offered) {
+  template <bool kEffects>
+  Cycle send_passes(const DrawPlan& draw, Cycle offered) {
     const Cycle enter = std::max(offered, operands_free_);
+    const unsigned passes = draw.passes;
     Cycle sent = enter;
-    for (unsigned pass = 1; pass <= passes; ++pass) sent = out_.accept(pass == passes, sent + 1);
+    if constexpr (kEffects) {
+      for (unsigned pass = 0; pass < draw.extra_passes; ++pass) sent = out_.accept_extra(sent + 1);
+    }
+    for (unsigned pass = 1; pass <= passes; ++pass) {
+      sent = out_.accept<kEffects>(pass == passes, sent + 1);
+    }
     operands_free_ = sent;
     return enter;
   }

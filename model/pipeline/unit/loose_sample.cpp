@@ -54,7 +54,8 @@ LooseCost LooseEye::cost(const DrawPlan& draw) const {
     const unsigned look_ups = (map_taps + draw.palette_ports - 1) / draw.palette_ports;
     palette = (beats - 1 + std::max<double>(look_ups, splits)) * footprints;
   }
-  cost.commit = std::max({cost.beats, palette, static_cast<double>(draw.passes)});
+  cost.commit =
+      std::max({cost.beats, palette, static_cast<double>(draw.passes + draw.extra_passes)});
   return cost;
 }
 

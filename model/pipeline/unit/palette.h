@@ -9,11 +9,12 @@ class Palette final : public sc_core::sc_module {
   Palette(const sc_core::sc_module_name& name, Filter& out) : sc_module(name), out_(out) {}
 
   /// Returns the cycle in which D takes the beat.
+  template <bool kEffects>
   Cycle accept(const UnitBeat& beat, Cycle offered) {
     const Cycle enter = std::max(offered, free_);
     const Cycle ready = enter + look_up(beat);
     // A sub-beat that is not the last leaves for the holding register whatever P does.
-    free_ = beat.completes ? out_.accept(beat, ready) : ready;
+    free_ = beat.completes ? out_.accept<kEffects>(beat, ready) : ready;
     return enter;
   }
   void reset() {
@@ -25,8 +26,8 @@ class Palette final : public sc_core::sc_module {
  private:
   /// Cycles that the beat stays at least.
   Cycle look_up(const UnitBeat& beat) {
-    const unsigned ports = beat.draw->palette_ports;
-    if (ports == 0 || beat.plan->words_of[0] == 0) return 1;
+    const unsigned ports = beat.plan->palette_ports;
+    if (ports == 0) return 1;
     const auto taps = static_cast<unsigned>(std::popcount((*beat.tiles)[0].taps & beat.mask));
     lookups_ += taps;
     return std::max(1U, (taps + ports - 1) / ports);

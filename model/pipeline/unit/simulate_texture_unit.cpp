@@ -1,5 +1,6 @@
 #include "model/pipeline/simulate_texture_unit.h"
 
+#include "model/pipeline/elaborated.h"
 #include "model/pipeline/unit/memory_target.h"
 #include "model/pipeline/unit/texture_unit.h"
 
@@ -41,9 +42,10 @@ void simulate_texture_unit(const UnitSimulation& simulation) {
   const sc_core::sc_time clock(1, sc_core::SC_NS);
   MemoryTarget memory("memory", make_memory(simulation.memory), simulation.state->memory, clock);
   TextureUnit unit("unit", simulation.unit, simulation.state->draws, simulation.timing,
-                   simulation.fault, clock);
+                   simulation.fault, clock, simulation.eval);
   unit.memory.socket.bind(memory.socket);
   UnitSource source("source", simulation, unit, memory, clock);
+  if (simulation.elaborated) simulation.elaborated(module_names(elaborated()));
   // Warnings are errors: a model that SystemC doubts is not a model to quote.
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
   sc_core::sc_start();

@@ -19,6 +19,7 @@ class Tags final : public sc_core::sc_module {
   }
 
   /// Returns the cycle in which T takes the beat.
+  template <bool kEffects>
   Cycle accept(UnitBeat& beat, Cycle offered) {
     const Cycle enter = std::max(offered, left_);
     beat.ranks = 0;
@@ -30,7 +31,7 @@ class Tags final : public sc_core::sc_module {
     Cycle& place = fifo_[next_place_];
     const Cycle pushed =
         beat.ranks == 0 ? std::max(enter + 1, place) : push_ranks(beat, enter, place);
-    const Commit::Stay stay = out_.accept(beat, pushed + 1);
+    const Commit::Stay stay = out_.accept<kEffects>(beat, pushed + 1);
     if (beat.ranks != 0) ring_.release(stay.leave);
     place = stay.enter + 1;
     next_place_ = next_place_ + 1 == fifo_.size() ? 0 : next_place_ + 1;

@@ -1,6 +1,9 @@
 #include "model/pipeline/unit/texture_unit.h"
 
+#include <algorithm>
 #include <string>
+
+#include "model/pipeline/unit/texture_unit_feed.h"
 
 namespace ptm::pipeline {
 
@@ -8,12 +11,14 @@ using reference::UnitCounter;
 
 TextureUnit::TextureUnit(const sc_core::sc_module_name& name, const reference::UnitConfig& unit,
                          const std::vector<reference::Draw>& draws, const StreamTiming& timing,
-                         const std::optional<MemoryFault>& fault, const sc_core::sc_time& clock)
+                         const std::optional<MemoryFault>& fault, const sc_core::sc_time& clock,
+                         const reference::EvalConfig& eval)
     : sc_module(name),
       memory("memory", clock, fault),
       timing_(timing),
       sink_("sink", timing),
-      combine_("combine", sink_),
+      chain_(unit.stages, sink_),
+      combine_("combine", sink_, chain_),
       evaluator_("evaluator", combine_),
       filter_("filter", evaluator_),
       palette_("palette", filter_),
@@ -21,11 +26,12 @@ TextureUnit::TextureUnit(const sc_core::sc_module_name& name, const reference::U
       commit_("commit", fetch_),
       ring_("miss_ring", memory, unit.miss_fifo),
       tags_("tags", unit, ring_, commit_),
-      address_("address", plan_draws(draws, unit), tags_) {}
+      address_("address", plan_draws(draws, unit, eval), tags_) {}
 
 void TextureUnit::reset(bool keep_cache) {
   memory.reset();
   sink_.taken.clear();
+  chain_.reset();
   combine_.reset();
   evaluator_.reset();
   filter_.reset();
@@ -40,20 +46,13 @@ void TextureUnit::reset(bool keep_cache) {
 TextureUnit::Frame TextureUnit::run(const UnitFrame& frame, Cycle patience) {
   reset(frame.keep_cache);
   sink_.taken.reserve(frame.fragments.size());
-  Cycle first = 0, last = 0, next = 0;
-  std::uint64_t accepted = 0;
-  for (const reference::UnitFragment& fragment : frame.fragments) {
-    const Cycle taken = address_.accept(fragment, next + gap(timing_, accepted));
-    if (taken >= kStuck) break;
-    if (accepted++ == 0) first = taken;
-    last = taken;
-    next = taken + 1;
-  }
+  const bool effects = std::ranges::any_of(address_.draws(), &DrawPlan::effects);
+  const Feed fed = effects ? feed_with_effects(frame.fragments) : feed<false>(frame.fragments);
   Frame out;
   out.result.taken = std::exchange(sink_.taken, {});
   out.result.answered = std::exchange(memory.answered, {});
-  if (memory.waiting()) report_fault(out, last, patience);
-  report_counters(out, accepted, first);
+  if (memory.waiting()) report_fault(out, fed.last, patience);
+  report_counters(out, fed.accepted, fed.first);
   return out;
 }
 
@@ -123,6 +122,7 @@ void TextureUnit::report_draws(reference::UnitCounters& c) const {
     const DrawPlan& draw = address_.draws()[d];
     c[UnitCounter::multiplies_eval] += address_.fragments()[d] * draw.eval_multiplies;
     c[UnitCounter::multiplies_combine] += address_.fragments()[d] * draw.combine_multiplies;
+    c[UnitCounter::multiplies_effects] += address_.fragments()[d] * draw.effect_multiplies;
     for (std::size_t t = 0; t < 2; ++t) {
       const std::uint64_t hits = tags_.counters().hits[d][t],
                           misses = tags_.counters().misses[d][t];

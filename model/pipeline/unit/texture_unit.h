@@ -14,7 +14,8 @@ class TextureUnit final : public sc_core::sc_module {
   /// Requires a valid configuration (reference::validate) and legal draws.
   TextureUnit(const sc_core::sc_module_name& name, const reference::UnitConfig& unit,
               const std::vector<reference::Draw>& draws, const StreamTiming& timing,
-              const std::optional<MemoryFault>& fault, const sc_core::sc_time& clock);
+              const std::optional<MemoryFault>& fault, const sc_core::sc_time& clock,
+              const reference::EvalConfig& eval = {});
 
   MemoryPort memory;
 
@@ -27,12 +28,21 @@ class TextureUnit final : public sc_core::sc_module {
 
  private:
   void reset(bool keep_cache);
+  /// What of the fragments was accepted.
+  struct Feed {
+    std::uint64_t accepted = 0;
+    Cycle first = 0, last = 0;
+  };
+  template <bool kEffects>
+  Feed feed(std::span<const reference::UnitFragment> fragments);
+  [[nodiscard]] Feed feed_with_effects(std::span<const reference::UnitFragment> fragments);
   void report_counters(Frame& frame, std::uint64_t accepted, Cycle first);
   void report_draws(reference::UnitCounters& counters) const;
   void report_fault(Frame& frame, Cycle last_accepted, Cycle patience);
 
   StreamTiming timing_;
   UnitSink sink_;
+  EffectChain chain_;
   Combine combine_;
   UnitEvaluator evaluator_;
   Filter filter_;

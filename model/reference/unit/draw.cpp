@@ -29,6 +29,28 @@ unsigned check_control(const Draw& draw) {
   return known && complete ? 0U : kBadControl;
 }
 
+bool fits(int value, int most) { return value >= 0 && value <= most; }
+
+/// A pass that the draw runs.
+bool pass_is_legal(const Draw& draw, const ExtraPass& pass, const UnitConfig& unit) {
+  if (!fits(pass.set, draw.effects.sets) || (pass.half && !unit.half_vector)) return false;
+  return pass.set != 0 || draw.format == TextureFormat::lrgb ||
+         draw.format == TextureFormat::palette_lrgb;
+}
+
+unsigned check_effects(const Draw& draw, const UnitConfig& unit) {
+  const DrawEffects& effects = draw.effects;
+  const bool built_in = fits(effects.sets, std::min(unit.extra_sets, kExtraSets)) &&
+                        fits(effects.passes, std::min(unit.extra_passes, kExtraPasses)) &&
+                        (effects.stages & ~unit.stages) == 0;
+  if (!built_in) return kBadControl;
+  if (draw.format == TextureFormat::none && effects.sets + effects.passes > 0) return kBadControl;
+  for (int k = 0; k < effects.passes; ++k) {
+    if (!pass_is_legal(draw, effects.pass[static_cast<std::size_t>(k)], unit)) return kBadControl;
+  }
+  return 0;
+}
+
 unsigned check_levels(const TextureLevels& texture, int planes, std::uint64_t memory_lines) {
   for (int level = 0; level < texture.levels; ++level) {
     const std::uint64_t end =
@@ -46,13 +68,13 @@ std::uint64_t level_lines(const TextureLevels& texture, int planes, int level) {
          static_cast<std::uint64_t>(planes);
 }
 
-unsigned check_draw(const Draw& draw, std::uint64_t memory_lines) {
+unsigned check_draw(const Draw& draw, std::uint64_t memory_lines, const UnitConfig& unit) {
   const bool map = draw.format != TextureFormat::none;
-  unsigned errors = check_control(draw);
+  unsigned errors = check_control(draw) | check_effects(draw, unit);
   if (map) errors |= check_sizes(draw.map);
   if (draw.color) errors |= check_sizes(draw.color_texture);
   if (errors != 0) return errors;
-  if (map) errors |= check_levels(draw.map, map_planes(draw.format), memory_lines);
+  if (map) errors |= check_levels(draw.map, array_planes(draw), memory_lines);
   if (draw.color) errors |= check_levels(draw.color_texture, 1, memory_lines);
   return errors;
 }

@@ -5,6 +5,7 @@
 #include "model/reference/eval_config.h"
 #include "model/reference/fragment.h"
 #include "model/reference/luminance.h"
+#include "model/reference/unit/unit_config.h"
 
 /// Draw descriptors: docs/spec/unit.md, "Draw descriptor". Enumerators are the registers' codes.
 namespace ptm::reference {
@@ -32,6 +33,26 @@ struct TextureLevels {
   }
 };
 
+inline constexpr int kExtraSets = 4, kExtraPasses = 4;
+
+/// An evaluator pass beyond the map's own: docs/spec/effects.md, "Draw".
+struct ExtraPass {
+  int set = 0;        ///< 0: the map's polynomial; s: extra set s - 1
+  bool half = false;  ///< with (hu, hv) instead of (lu, lv)
+  bool operator==(const ExtraPass&) const = default;
+};
+
+/// What effects add to a draw.
+struct DrawEffects {
+  int sets = 0;  ///< coefficient sets of a texel beyond the map's
+  std::array<Six<Value>, kExtraSets> bias{}, shift{};
+  int passes = 0;
+  std::array<ExtraPass, kExtraPasses> pass{};
+  unsigned stages = 0;         ///< mask of the stages that act on the draw's pixels
+  std::uint32_t argument = 0;  ///< what stages want to know
+  bool operator==(const DrawEffects&) const = default;
+};
+
 struct Draw {
   TextureFormat format = TextureFormat::lrgb;
   bool bilinear = true;
@@ -44,30 +65,40 @@ struct Draw {
   Six<Value> bias{}, shift{};
   int palette = 0;
   Value ka = 0, kd = 256, ks = 0;  ///< Q1.8
+  DrawEffects effects;
   bool operator==(const Draw&) const = default;
 };
 
-/// Planes of 32-bit words of the map, 0 for none.
+/// Planes of 32-bit words of the map's own polynomials and colour, 0 for none.
 [[nodiscard]] constexpr int map_planes(TextureFormat format) {
   constexpr std::array<int, 8> planes{0, 3, 6, 1, 1, 0, 0, 0};  // the register has three bits
   return planes[static_cast<std::size_t>(format)];
 }
-/// Words of a draw: the map's planes, then the colour texture.
-[[nodiscard]] constexpr int draw_words(const Draw& draw) {
-  return map_planes(draw.format) + (draw.color ? 1 : 0);
+/// Planes of the map's array of lines: its own and two of each extra set.
+[[nodiscard]] constexpr int array_planes(const Draw& draw) {
+  return map_planes(draw.format) + 2 * draw.effects.sets;
 }
-/// Evaluator passes of one fragment.
+/// Words of a draw: the map's planes, then the colour texture, then the sets' planes.
+[[nodiscard]] constexpr int draw_words(const Draw& draw) {
+  return array_planes(draw) + (draw.color ? 1 : 0);
+}
+/// Evaluator passes of one fragment that are the map's own.
 [[nodiscard]] constexpr int draw_passes(const Draw& draw) {
   return draw.format == TextureFormat::rgb || draw.format == TextureFormat::palette_rgb ? 3 : 1;
+}
+/// All that effects have to do with a fragment of the draw: without, effects.md is of no concern.
+[[nodiscard]] constexpr bool has_effects(const Draw& draw) {
+  return draw.effects.sets != 0 || draw.effects.passes != 0 || draw.effects.stages != 0;
 }
 
 /// 64-byte lines of a level, all planes. Requires a legal size and level.
 [[nodiscard]] std::uint64_t level_lines(const TextureLevels& texture, int planes, int level);
 
-/// Error bits of `unit.md`, "Legal"; 0 for a draw that can be drawn from a memory of that size. A
-/// texture that the draw has not is not checked; addresses are checked only if all else is legal.
-/// Takes any values. Twin: the check of rtl's register block
+/// Error bits of `unit.md` and `effects.md`, "Legal"; 0 for a draw that a unit built so can draw
+/// from a memory of that size. A texture that the draw has not is not checked; addresses are
+/// checked only if all else is legal. Takes any values. Twin: the check of rtl's register block
 enum DrawError : unsigned { kBadSize = 1, kBadLevels = 2, kBadAddress = 4, kBadControl = 8 };
-[[nodiscard]] unsigned check_draw(const Draw& draw, std::uint64_t memory_lines);
+[[nodiscard]] unsigned check_draw(const Draw& draw, std::uint64_t memory_lines,
+                                  const UnitConfig& unit = {});
 
 }  // namespace ptm::reference

@@ -8,7 +8,7 @@
 #include "model/reference/unit/texel_fields.h"
 #include "model/reference/unit/unit_memory.h"
 
-/// Steps U7 to U11 and the whole of a fragment.
+/// Steps U7 to U11, X1 to X4 (docs/spec/effects.md) and the whole of a fragment.
 namespace ptm::reference {
 
 /// Every value on the way, for the report's worst-pixel table and for tests.
@@ -17,6 +17,9 @@ struct ShadeTrace {
   std::array<Six<Value>, 3> coef{};  ///< operands of each pass, after U10
   Three<Value> lit{};                ///< P
   std::array<Value, 4> color{};      ///< C and its alpha, 8 bits
+  /// Of the extra passes, lum_frac fraction bits; 0 for those that the draw has not.
+  std::array<Value, kExtraPasses> value{};
+  Three<Value> addend{};  ///< behind the last stage, levels with 4 fraction bits
   UnitPixel pixel;
 };
 

@@ -4,11 +4,12 @@
 /// Which fields of a filtered fragment a word holds: docs/spec/unit.md, "Words" and "Steps".
 namespace ptm::reference {
 
-inline constexpr unsigned kFields = 26;
-/// A filtered fragment: 0..17 coefficients, 18..20 the map's R G B, 21 its A, 22..25 the colour
-/// texture's R G B A.
-using Fields = std::array<Value, kFields>;
 inline constexpr unsigned kMapColorField = 18, kMapAlphaField = 21, kColorField = 22;
+inline constexpr unsigned kSetField = 26;  ///< six of each extra set from here on
+inline constexpr unsigned kFields = kSetField + 6 * kExtraSets;
+/// A filtered fragment: 0..17 coefficients, 18..20 the map's R G B, 21 its A, 22..25 the colour
+/// texture's R G B A, 26 + 6 s + i coefficient i of set s.
+using Fields = std::array<Value, kFields>;
 
 enum class WordKind : std::uint8_t { coefficients, color, palette_lrgb, palette_rgb };
 
@@ -26,8 +27,8 @@ struct WordUse {
   }
 };
 
-/// Word 0 .. draw_words - 1: the map's planes in order, then the colour texture.
-[[nodiscard]] constexpr WordUse word_use(const Draw& draw, int word) {
+/// Word 0 .. map_planes of a draw: the map's own planes in order, then the colour texture.
+[[nodiscard]] constexpr WordUse own_word_use(const Draw& draw, int word) {
   const int planes = map_planes(draw.format);
   if (word == planes) return {WordKind::color, 1, 0, kColorField};
   if (draw.format == TextureFormat::palette_lrgb) return {WordKind::palette_lrgb, 0, 0, 0};
@@ -35,6 +36,18 @@ struct WordUse {
   const bool color = draw.format == TextureFormat::lrgb && word == 2;
   if (color) return {WordKind::color, 0, word, kMapColorField};
   return {WordKind::coefficients, 0, word, 3 * static_cast<unsigned>(word)};
+}
+
+/// Plane 0 .. 2 sets - 1 of a draw's sets.
+[[nodiscard]] constexpr WordUse set_word_use(const Draw& draw, int set_plane) {
+  return {WordKind::coefficients, 0, map_planes(draw.format) + set_plane,
+          kSetField + 3 * static_cast<unsigned>(set_plane)};
+}
+
+/// Word 0 .. draw_words - 1: the map's own planes, the colour texture, the sets' planes.
+[[nodiscard]] constexpr WordUse word_use(const Draw& draw, int word) {
+  const int own = map_planes(draw.format) + (draw.color ? 1 : 0);
+  return word < own ? own_word_use(draw, word) : set_word_use(draw, word - own);
 }
 
 }  // namespace ptm::reference

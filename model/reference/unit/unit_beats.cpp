@@ -1,5 +1,6 @@
 #include "model/reference/unit/unit_beats.h"
 
+#include "model/reference/effects/stages.h"
 #include "model/reference/unit/texel_fields.h"
 
 namespace ptm::reference {
@@ -10,7 +11,7 @@ BeatWord beat_word(const Draw& draw, const UnitFragment& fragment, const Beat& b
   if (word >= draw_words(draw)) return out;
   const WordUse use = word_use(draw, word);
   const TextureLevels& texture = use.texture == 0 ? draw.map : draw.color_texture;
-  const int planes = use.texture == 0 ? map_planes(draw.format) : 1;
+  const int planes = use.texture == 0 ? array_planes(draw) : 1;
   const Footprint footprint =
       make_footprint(draw, fragment, use.texture, beat.probe, beat.footprint);
   out.present = true;
@@ -85,7 +86,7 @@ unsigned combine_multiplies(Combine combine) {
 }
 
 bool is_palette(const Draw& draw, const BeatWord& word) {
-  return word.texture == 0 &&
+  return word.word == 0 &&
          (draw.format == TextureFormat::palette_lrgb || draw.format == TextureFormat::palette_rgb);
 }
 
@@ -159,7 +160,7 @@ std::vector<Beat> split_beat(const Beat& beat) {
 }
 
 void count_fragment(const Draw& draw, const UnitFragment& fragment, const UnitConfig& config,
-                    UnitCounters& counters) {
+                    UnitCounters& counters, const EvalConfig& eval) {
   counters[UnitCounter::fragments] += 1;
   counters[UnitCounter::pixels] += 1;
   for (const Beat& beat : fragment_beats(draw, fragment, config)) {
@@ -168,7 +169,9 @@ void count_fragment(const Draw& draw, const UnitFragment& fragment, const UnitCo
   if (draw.format != TextureFormat::none) {
     counters[UnitCounter::multiplies_eval] += draw_passes(draw) == 3 ? 24U : 11U;
   }
+  counters[UnitCounter::multiplies_eval] += 8 * static_cast<unsigned>(draw.effects.passes);
   counters[UnitCounter::multiplies_combine] += combine_multiplies(draw.combine);
+  counters[UnitCounter::multiplies_effects] += effects::stage_multiplies(eval, draw);
 }
 
 }  // namespace ptm::reference

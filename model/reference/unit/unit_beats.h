@@ -65,8 +65,9 @@ struct SeamCollision {
 [[nodiscard]] std::vector<Beat> split_beat(const Beat& beat);
 
 /// Adds what a fragment counts whatever the time: fragments, pixels, beats, bank_conflicts, words,
-/// taps, palette_lookups and the multiplies; it leaves the other counters alone.
+/// taps, palette_lookups and the multiplies; it leaves the other counters alone. Only the
+/// multiplies of effects look at the evaluator's configuration.
 void count_fragment(const Draw& draw, const UnitFragment& fragment, const UnitConfig& config,
-                    UnitCounters& counters);
+                    UnitCounters& counters, const EvalConfig& eval = {});
 
 }  // namespace ptm::reference

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/reference/effects/stages.h"
+
 namespace ptm::reference {
 namespace {
 
@@ -33,6 +35,14 @@ void validate(const UnitConfig& config) {
   require_one_of("palette_lrgb_ports", config.palette_lrgb_ports, {1, 2, 4});
   require_one_of("palette_rgb_ports", config.palette_rgb_ports, {1, 2, 4});
   require_one_of("eval_lanes", config.eval_lanes, {1, 3});
+  require_range("extra_passes", config.extra_passes, 0, kExtraPasses);
+  require_range("extra_sets", config.extra_sets, 0, std::min(config.extra_passes, kExtraSets));
+  require_range("half_vector", config.half_vector ? 1 : 0, 0, config.extra_passes > 0 ? 1 : 0);
+  if ((config.stages & ~effects::kStages) != 0) {
+    throw std::invalid_argument("stages = " + std::to_string(config.stages) +
+                                ", expected a part of " + std::to_string(effects::kStages) +
+                                ", the stages of this build");
+  }
 }
 
 }  // namespace ptm::reference

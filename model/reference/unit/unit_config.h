@@ -12,6 +12,11 @@ struct UnitConfig {
   int palette_lrgb_ports = 4;  ///< look-ups a cycle; 1, 2, 4
   int palette_rgb_ports = 1;   ///< 1, 2, 4
   int eval_lanes = 1;          ///< evaluators side by side; 1, or 3: one a channel
+  // What effects need (docs/spec/effects.md); a unit without effects has none of it.
+  int extra_sets = 0;        ///< coefficient sets of a texel beyond the map's; 0..4
+  int extra_passes = 0;      ///< evaluator passes beyond the map's; extra_sets..4
+  bool half_vector = false;  ///< fragments bring (hu, hv); needs extra_passes
+  unsigned stages = 0;       ///< mask of effect stages behind the combine stage
   bool operator==(const UnitConfig&) const = default;
 
   /// Sets of one tag bank.

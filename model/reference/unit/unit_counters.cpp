@@ -39,7 +39,8 @@ const std::array<std::string_view, kUnitCounters>& unit_counter_names() {
                                                                       "hits_d3_map",
                                                                       "misses_d3_map",
                                                                       "hits_d3_color",
-                                                                      "misses_d3_color"};
+                                                                      "misses_d3_color",
+                                                                      "multiplies_effects"};
   return kNames;
 }
 

@@ -30,11 +30,12 @@ enum class UnitCounter : std::uint8_t {
   multiplies_filter,
   multiplies_eval,
   multiplies_combine,
-  texture_first
+  texture_first,  ///< of four a draw
+  multiplies_effects = texture_first + 4 * kDraws
 };
-inline constexpr std::size_t kUnitCounters = 21 + 4 * kDraws;
+inline constexpr std::size_t kUnitCounters = 22 + 4 * kDraws;
 
-/// Names, in order; the last sixteen are "hits_d0_map", "misses_d0_map", "hits_d0_color", ...
+/// Names, in order; from texture_first on "hits_d0_map", "misses_d0_map", "hits_d0_color", ...
 [[nodiscard]] const std::array<std::string_view, kUnitCounters>& unit_counter_names();
 
 struct UnitCounters {

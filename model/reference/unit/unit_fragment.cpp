@@ -38,6 +38,12 @@ std::optional<UnitFragment> quantize_unit_fragment(const EvalConfig& config, con
   const auto lu = light_code(config, sample.lu), lv = light_code(config, sample.lv);
   if (!lu || !lv || !in_range(sample)) return std::nullopt;
   UnitFragment out;
+  if (sample.hu != 0 || sample.hv != 0) {
+    const auto hu = light_code(config, sample.hu), hv = light_code(config, sample.hv);
+    if (!hu || !hv) return std::nullopt;
+    out.hu = static_cast<std::int32_t>(*hu);
+    out.hv = static_cast<std::int32_t>(*hv);
+  }
   out.u = coordinate(draw.wrap_u, sample.u);
   out.v = coordinate(draw.wrap_v, sample.v);
   out.axis_u = fixed(sample.axis_u);

@@ -12,6 +12,7 @@ struct UnitFragment {
   std::int32_t u = 0, v = 0;            ///< Q8.20
   std::int32_t axis_u = 0, axis_v = 0;  ///< Q8.20, from one probe to the next
   std::int32_t lu = 0, lv = 0;          ///< light codes
+  std::int32_t hu = 0, hv = 0;          ///< the half-vector's; 0 where no effect asks for it
   std::uint16_t x = 0, y = 0;           ///< the pixel
   std::uint16_t lod = 0;                ///< Q4.8
   std::uint8_t probes_log2 = 0;
@@ -28,13 +29,14 @@ struct PlainUnitSample {
   double axis_u = 0, axis_v = 0;  ///< from one probe to the next
   int probes_log2 = 0;
   double lu = 0, lv = 0;
+  double hu = 0, hv = 0;  ///< of the half-vector; 0 where no effect asks for it
   bool lit = true;
   int draw = 0;
 };
 
 /// The one function from plain doubles to a fragment, docs/spec/unit.md, "Fragment". Nothing if a
-/// number is not finite, the light has no code (light_code.h), or x, y, probes_log2 or draw lies
-/// outside its format. Wrap modes are the draw's.
+/// number is not finite, light or half-vector has no code (light_code.h), or x, y, probes_log2 or
+/// draw lies outside its format. Wrap modes are the draw's.
 /// Error     half a unit of 2^-20 on u, v and the axis, half of 2^-8 on lod, where not limited
 [[nodiscard]] std::optional<UnitFragment> quantize_unit_fragment(const EvalConfig& config,
                                                                  const Draw& draw,

@@ -112,21 +112,73 @@ void pack_entries(const EvalConfig& config, std::span<const std::uint16_t> coef,
   }
 }
 
-}  // namespace
-
-TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
-                         std::vector<Line>& memory) {
-  const bool rgb = !levels.empty() && levels[0].rgb;
-  const int planes = map_planes(rgb ? TextureFormat::rgb : TextureFormat::lrgb);
-  const TextureLevels at = level_sizes(levels, planes, memory.size());
+void require_map(const EvalConfig& config, std::span<const StoredTexture> levels) {
+  const bool rgb = levels[0].rgb;
   for (const StoredTexture& level : levels) {
     require_equal("rgb of a level", level.rgb ? 1 : 0, rgb ? 1 : 0);
     require_equal("coefficients of a level", level.coef.size(), texels(level) * (rgb ? 18 : 6));
     if (!rgb) require_equal("colours of a level", level.color.size(), texels(level) * 3);
     require_fields(config, level.coef);
   }
+}
+
+void require_palette_map(std::span<const StoredPaletteMap> levels) {
+  const bool rgb = levels[0].rgb;
+  for (const StoredPaletteMap& level : levels) {
+    require_equal("rgb of a level", level.rgb ? 1 : 0, rgb ? 1 : 0);
+    require_equal("indices of a level", level.index.size(), texels(level));
+    if (!rgb) require_equal("colours of a level", level.color.size(), texels(level) * 3);
+    for (const std::uint16_t i : level.index) require_at_most("an index", i, rgb ? 4095 : 255);
+  }
+}
+
+/// That the sets have the levels of a map that lies there.
+void require_sets(const EvalConfig& config, const TextureLevels& at,
+                  std::span<const StoredSet> sets) {
+  for (const StoredSet& set : sets) {
+    require_equal("levels of a set", set.size(), static_cast<std::size_t>(at.levels));
+    for (std::size_t l = 0; l < set.size(); ++l) {
+      const int level = static_cast<int>(l);
+      require_equal("width of a set's level", static_cast<std::size_t>(set[l].width),
+                    static_cast<std::size_t>(at.level_width(level)));
+      require_equal("height of a set's level", static_cast<std::size_t>(set[l].height),
+                    static_cast<std::size_t>(at.level_height(level)));
+      require_equal("coefficients of a set's level", set[l].coef.size(), texels(set[l]) * 6);
+      require_fields(config, set[l].coef);
+    }
+  }
+}
+
+std::size_t planes_with(std::size_t own, std::span<const StoredSet> sets) {
+  require_at_most("sets", sets.size(), kExtraSets);
+  return own + 2 * sets.size();
+}
+
+std::uint32_t set_word(const EvalConfig& config, std::span<const StoredSet> sets, std::size_t level,
+                       std::size_t texel, std::size_t plane) {
+  const std::uint16_t* coef = &sets[plane / 2][level].coef[texel * 6];
+  return three_fields(coef + plane % 2 * 3, field_bits(config));
+}
+
+}  // namespace
+
+TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
+                         std::vector<Line>& memory) {
+  return append_map(config, levels, {}, memory);
+}
+
+TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
+                         std::span<const StoredSet> sets, std::vector<Line>& memory) {
+  const bool rgb = !levels.empty() && levels[0].rgb;
+  const auto own =
+      static_cast<std::size_t>(map_planes(rgb ? TextureFormat::rgb : TextureFormat::lrgb));
+  const int planes = static_cast<int>(planes_with(own, sets));
+  const TextureLevels at = level_sizes(levels, planes, memory.size());
+  require_map(config, levels);
+  require_sets(config, at, sets);
   const int bits = field_bits(config);
   write_levels(at, planes, memory, [&](std::size_t l, std::size_t texel, std::size_t plane) {
+    if (plane >= own) return set_word(config, sets, l, texel, plane - own);
     const std::size_t word = rgb ? texel * 6 + plane : texel * 2 + plane;
     if (rgb || plane < 2) return three_fields(&levels[l].coef[word * 3], bits);
     const std::uint8_t* color = &levels[l].color[texel * 3];
@@ -137,17 +189,19 @@ TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture
 
 TextureLevels append_palette_map(std::span<const StoredPaletteMap> levels,
                                  std::vector<Line>& memory) {
-  const bool rgb = !levels.empty() && levels[0].rgb;
-  const TextureLevels at = level_sizes(levels, 1, memory.size());
-  for (const StoredPaletteMap& level : levels) {
-    require_equal("rgb of a level", level.rgb ? 1 : 0, rgb ? 1 : 0);
-    require_equal("indices of a level", level.index.size(), texels(level));
-    if (!rgb) require_equal("colours of a level", level.color.size(), texels(level) * 3);
-    for (const std::uint16_t i : level.index) require_at_most("an index", i, rgb ? 4095 : 255);
-  }
-  write_levels(at, 1, memory, [&](std::size_t l, std::size_t texel, std::size_t) {
+  return append_palette_map({}, levels, {}, memory);
+}
+
+TextureLevels append_palette_map(const EvalConfig& config, std::span<const StoredPaletteMap> levels,
+                                 std::span<const StoredSet> sets, std::vector<Line>& memory) {
+  const int planes = static_cast<int>(planes_with(1, sets));
+  const TextureLevels at = level_sizes(levels, planes, memory.size());
+  require_palette_map(levels);
+  require_sets(config, at, sets);
+  write_levels(at, planes, memory, [&](std::size_t l, std::size_t texel, std::size_t plane) {
+    if (plane > 0) return set_word(config, sets, l, texel, plane - 1);
     const unsigned index = levels[l].index[texel];
-    if (rgb) return index;
+    if (levels[l].rgb) return index;
     const std::uint8_t* color = &levels[l].color[texel * 3];
     return four_bytes(index, color[0], color[1], color[2]);
   });

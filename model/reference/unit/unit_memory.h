@@ -21,11 +21,16 @@ struct Palettes {
   std::vector<std::array<std::uint32_t, 6>> rgb;   ///< at most 4096
 };
 
+using EffectTable = std::array<std::uint16_t, 256>;
+
 /// Everything that stands in memory and registers before a frame.
 struct UnitState {
   std::vector<Line> memory;
   Palettes palettes;
   std::vector<Draw> draws;  ///< at most kDraws
+  /// A draw's table for effect stages, 12 bits an entry (docs/spec/effects.md); of draws beyond the
+  /// vector's end, all 0.
+  std::vector<EffectTable> tables;
 };
 
 /// A picture of R, G, B, A bytes, [height][width][4].
@@ -53,6 +58,18 @@ TextureLevels append_palette_map(std::span<const StoredPaletteMap> levels,
                                  std::vector<Line>& memory);
 TextureLevels append_picture(std::span<const StoredPicture> levels, std::vector<Line>& memory);
 
+/// The levels of an extra coefficient set (docs/spec/effects.md), quantised as a map without
+/// colours: six coefficients a texel; its colours are not looked at, bias and shift belong into the
+/// draw.
+using StoredSet = std::vector<StoredTexture>;
+
+/// A map and at most four extra sets of the same levels, as one array of lines: the map's planes,
+/// then two of each set. Throw as above.
+TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
+                         std::span<const StoredSet> sets, std::vector<Line>& memory);
+TextureLevels append_palette_map(const EvalConfig& config, std::span<const StoredPaletteMap> levels,
+                                 std::span<const StoredSet> sets, std::vector<Line>& memory);
+
 /// Polynomials as palette entries: [entry][6] (lrgb, at most 256 into palette 0..3) or [entry][18]
 /// (rgb, at most 4,096) stored coefficients, red first; entries beyond them are 0. Throw
 /// std::invalid_argument as above.
@@ -71,11 +88,14 @@ struct RegisterWrite {
   std::uint32_t data = 0;
   bool operator==(const RegisterWrite&) const = default;
 };
-/// The writes that bring a unit's registers to the state: the memory's size (an illegal draw is
-/// told by it), palettes, then each draw, its control last. Caches and counters are not touched.
-/// Throw std::invalid_argument for a value that its register's field does not hold; an illegal draw
-/// that fits is written as it is.
+/// The writes that bring a unit's registers from reset to the state: the memory's size (an illegal
+/// draw is told by it), palettes, then each draw with what effects add to it, its control last.
+/// Registers of effects that are to hold 0, as after reset, are not written: a state without
+/// effects has no writes of theirs. Caches and counters are not touched. Throw
+/// std::invalid_argument for a value that its register's field does not hold; an illegal draw that
+/// fits is written as it is.
 [[nodiscard]] std::vector<RegisterWrite> register_writes(const UnitState& state);
-[[nodiscard]] std::vector<RegisterWrite> register_writes(const Draw& draw, int number);
+[[nodiscard]] std::vector<RegisterWrite> register_writes(const Draw& draw, int number,
+                                                         const EffectTable& table = {});
 
 }  // namespace ptm::reference

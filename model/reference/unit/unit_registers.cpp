@@ -1,4 +1,4 @@
-// Register writes: docs/spec/unit.md, "Registers".
+// Register writes: docs/spec/unit.md and docs/spec/effects.md, "Registers".
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +9,7 @@ namespace {
 
 constexpr unsigned kDrawStride = 64, kMapBase = 16, kColorBase = 32;
 constexpr unsigned kMemoryLinesAddress = 0x1001;
+constexpr unsigned kSetAddress = 0x2800, kTableAddress = 0x3000;
 constexpr unsigned kLrgbAddress = 0x4000, kRgbAddress = 0x8000;
 
 /// A value at [low + bits - 1 : low]; two's complement if signed.
@@ -60,9 +61,45 @@ void write_palettes(const Palettes& palettes, std::vector<RegisterWrite>& out) {
   table(palettes.rgb, kRgbAddress, 8);
 }
 
+std::uint32_t bias_and_shift(Value bias, Value shift) {
+  return field("bias", bias, 0, 12) | field("shift", shift, 16, 5, true);
+}
+
+std::uint32_t passes_of(const DrawEffects& effects) {
+  std::uint32_t out = field("passes", effects.passes, 0, 3);
+  for (std::size_t k = 0; k < effects.pass.size(); ++k) {
+    const int low = 4 * static_cast<int>(k) + 4;
+    out |= field("set of a pass", effects.pass[k].set, low, 3) |
+           field("half of a pass", effects.pass[k].half ? 1 : 0, low + 3, 1);
+  }
+  return out;
+}
+
+/// docs/spec/effects.md, "Registers".
+void write_effects(const DrawEffects& effects, unsigned number, const EffectTable& table,
+                   std::vector<RegisterWrite>& out) {
+  const auto add = [&out](bool always, unsigned address, std::uint32_t data) {
+    if (always || data != 0) out.push_back(write(address, data));
+  };
+  const unsigned d = number * kDrawStride;
+  add(false, d + 12, passes_of(effects));
+  add(false, d + 13, field("sets", effects.sets, 0, 3) | field("stages", effects.stages, 8, 8));
+  add(false, d + 14, effects.argument);
+  for (unsigned s = 0; s < kExtraSets; ++s) {
+    for (unsigned i = 0; i < 6; ++i) {
+      add(static_cast<int>(s) < effects.sets, kSetAddress + 32 * number + 8 * s + i,
+          bias_and_shift(effects.bias[s][i], effects.shift[s][i]));
+    }
+  }
+  for (unsigned i = 0; i < table.size(); ++i) {
+    add(effects.stages != 0, kTableAddress + 256 * number + i,
+        field("an entry of the table", table[i], 0, 12));
+  }
+}
+
 }  // namespace
 
-std::vector<RegisterWrite> register_writes(const Draw& draw, int number) {
+std::vector<RegisterWrite> register_writes(const Draw& draw, int number, const EffectTable& table) {
   if (number < 0 || number >= kDraws) {
     throw std::invalid_argument("draw = " + std::to_string(number) + ", expected 0 to 3");
   }
@@ -74,13 +111,13 @@ std::vector<RegisterWrite> register_writes(const Draw& draw, int number) {
                                  field("levels", draw.color_texture.levels, 8, 4) |
                                  field("color_lod", draw.color_lod, 16, 13, true)));
   for (unsigned i = 0; i < 6; ++i) {
-    out.push_back(write(d + 4 + i, field("bias", draw.bias[i], 0, 12) |
-                                       field("shift", draw.shift[i], 16, 5, true)));
+    out.push_back(write(d + 4 + i, bias_and_shift(draw.bias[i], draw.shift[i])));
   }
   out.push_back(write(d + 10, field("ka", draw.ka, 0, 9) | field("kd", draw.kd, 9, 9) |
                                   field("ks", draw.ks, 18, 9)));
   write_bases(draw.map, d + kMapBase, out);
   write_bases(draw.color_texture, d + kColorBase, out);
+  write_effects(draw.effects, static_cast<unsigned>(number), table, out);
   out.push_back(write(d, control(draw)));
   return out;
 }
@@ -95,7 +132,9 @@ std::vector<RegisterWrite> register_writes(const UnitState& state) {
   out.push_back(write(kMemoryLinesAddress, static_cast<std::uint32_t>(lines)));
   write_palettes(state.palettes, out);
   for (std::size_t d = 0; d < state.draws.size(); ++d) {
-    const std::vector<RegisterWrite> draw = register_writes(state.draws[d], static_cast<int>(d));
+    const EffectTable table = d < state.tables.size() ? state.tables[d] : EffectTable{};
+    const std::vector<RegisterWrite> draw =
+        register_writes(state.draws[d], static_cast<int>(d), table);
     out.insert(out.end(), draw.begin(), draw.end());
   }
   return out;

@@ -1,0 +1,96 @@
+# Reads testbench/plan/effects.def: options PTM_EFFECT_<ID> (ON), and what the build of each model
+# takes from the rows that are ON, under ${PTM_GENERATED}.
+#
+# PTM_EFFECTS_EXTRA may name a folder with effects of one's own: an effects.def with rows to follow
+# ours, and the files of those rows, named as ours are.
+set(PTM_GENERATED ${CMAKE_BINARY_DIR}/generated)
+set(PTM_EFFECTS_EXTRA "" CACHE PATH "A folder with an effects.def and the effects that it lists")
+
+# ptm_effect_files(folder table...) - writes
+#
+#   effects/effects.def          the rows that are ON; a stage is in if a row that is ON uses it
+#   effects/golden_effects.inc   for golden/effects/effect.cpp
+#   effects/reference_stages.h   includes model/reference/effects/<stage>.h, lists PTM_STAGES(X)
+#   effects/pipeline_stages.h    includes model/pipeline/effects/<stage>.h
+#   rtl/ptm_effect_chain.sv      the stages, one behind the other (EffectChain.cmake)
+#
+# and sets PTM_EFFECTS (ids that are ON), PTM_EFFECTS_OFF, PTM_STAGES (ids), PTM_STAGE_NUMBERS.
+function(ptm_effect_files folder)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN})
+  set(effects "")
+  set(effects_off "")
+  set(rows "")
+  set(used 0)
+  foreach(table IN LISTS ARGN)
+    file(STRINGS ${table} lines REGEX "^PTM_EFFECT\\(")
+    foreach(line IN LISTS lines)
+      string(REGEX MATCH "^PTM_EFFECT\\(([a-z_0-9]+),.*, ([0-9]+)\\)$" matched "${line}")
+      if(NOT matched)
+        message(FATAL_ERROR "${table}: no row of an effect: ${line}")
+      endif()
+      set(id ${CMAKE_MATCH_1})
+      set(stages ${CMAKE_MATCH_2})
+      string(TOUPPER ${id} upper)
+      option(PTM_EFFECT_${upper} "Build the effect ${id}" ON)
+      if(PTM_EFFECT_${upper})
+        list(APPEND effects ${id})
+        string(APPEND rows "${line}\n")
+        math(EXPR used "${used} | ${stages}")
+      else()
+        list(APPEND effects_off ${id})
+      endif()
+    endforeach()
+  endforeach()
+
+  set(stage_ids "")
+  set(stage_numbers "")
+  set(stage_rows "")
+  foreach(table IN LISTS ARGN)
+    file(STRINGS ${table} lines REGEX "^PTM_STAGE\\(")
+    foreach(line IN LISTS lines)
+      string(REGEX MATCH "^PTM_STAGE\\(([0-9]+), ([a-z_0-9]+)\\)$" matched "${line}")
+      if(NOT matched)
+        message(FATAL_ERROR "${table}: no row of a stage: ${line}")
+      endif()
+      math(EXPR bit "(${used} >> ${CMAKE_MATCH_1}) & 1")
+      if(bit)
+        list(APPEND stage_ids ${CMAKE_MATCH_2})
+        list(APPEND stage_numbers ${CMAKE_MATCH_1})
+        string(APPEND stage_rows "${line}\n")
+      endif()
+    endforeach()
+  endforeach()
+
+  set(note "// Written by cmake/PtmEffects.cmake from the table of effects.\n")
+  set(golden "${note}")
+  foreach(id IN LISTS effects)
+    string(APPEND golden "PTM_GOLDEN_EFFECT(${id})\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${folder}/effects/effects.def CONTENT "${note}${stage_rows}${rows}")
+  file(CONFIGURE OUTPUT ${folder}/effects/golden_effects.inc CONTENT "${golden}")
+  foreach(model IN ITEMS reference pipeline)
+    set(includes "${note}#pragma once\n")
+    set(all "")
+    foreach(id IN LISTS stage_ids)
+      string(APPEND includes "#include \"model/${model}/effects/${id}.h\"\n")
+      string(APPEND all " X(${id})")
+    endforeach()
+    string(TOUPPER ${model} upper)
+    file(CONFIGURE OUTPUT ${folder}/effects/${model}_stages.h CONTENT
+      "${includes}#define PTM_${upper}_STAGES(X)${all}\n")
+  endforeach()
+  set(PTM_CHAIN_TABLE ${folder}/effects/effects.def)
+  set(PTM_CHAIN ${folder}/rtl/ptm_effect_chain.sv)
+  include(EffectChain)
+
+  set(PTM_EFFECTS ${effects} PARENT_SCOPE)
+  set(PTM_EFFECTS_OFF ${effects_off} PARENT_SCOPE)
+  set(PTM_STAGES ${stage_ids} PARENT_SCOPE)
+  set(PTM_STAGE_NUMBERS ${stage_numbers} PARENT_SCOPE)
+endfunction()
+
+set(PTM_EFFECT_TABLES ${CMAKE_SOURCE_DIR}/testbench/plan/effects.def)
+if(PTM_EFFECTS_EXTRA)
+  list(APPEND PTM_EFFECT_TABLES ${PTM_EFFECTS_EXTRA}/effects.def)
+endif()
+ptm_effect_files(${PTM_GENERATED} ${PTM_EFFECT_TABLES})

@@ -1,0 +1,52 @@
+#include <cmath>
+
+#include "testbench/report/report_json.h"
+
+namespace ptm::testbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using reference::UnitCounter;
+
+Json cells_json(const std::optional<UnitCells>& cells) {
+  if (!cells) return nullptr;
+  return {{"cells", cells->cells},
+          {"multipliers", cells->multipliers},
+          {"adders", cells->adders},
+          {"memory_bits", cells->memory_bits}};
+}
+
+Json run_json(const EffectRun& run) {
+  const reference::UnitCounters& n = run.counters;
+  Json seconds = Json::object();
+  for (const auto& [model, time] : run.seconds) seconds[model] = time;
+  return {{"cycles", n[UnitCounter::cycles]},
+          {"words", n[UnitCounter::words]},
+          {"lines_read", n[UnitCounter::lines_read]},
+          {"multiplies",
+           {{"address", n[UnitCounter::multiplies_address]},
+            {"filter", n[UnitCounter::multiplies_filter]},
+            {"eval", n[UnitCounter::multiplies_eval]},
+            {"combine", n[UnitCounter::multiplies_combine]},
+            {"effects", n[UnitCounter::multiplies_effects]}}},
+          {"rtl", cells_json(run.cells)},
+          {"seconds", std::move(seconds)}};
+}
+
+}  // namespace
+
+Json effect_costs_json(const EffectCosts& costs) {
+  Json json = {{"with", run_json(costs.with)}, {"without", Json::array()}};
+  for (const EffectCost& cost : costs.costs) {
+    Json one = {{"effect", cost.effect}, {"together", cost.together}};
+    one.update(run_json(cost.without));
+    one["picture"] = {{"changed", cost.changed},
+                      {"rmse", cost.rmse},
+                      {"max", cost.largest},
+                      {"psnr_db", std::isinf(cost.psnr_db) ? Json(nullptr) : Json(cost.psnr_db)}};
+    json["without"].push_back(std::move(one));
+  }
+  return json;
+}
+
+}  // namespace ptm::testbench

@@ -1,0 +1,92 @@
+#include "testbench/rtl/unit_cells.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "testbench/rtl/command.h"
+#include "testbench/rtl/variant_build.h"
+#include "testbench/rtl/variant_cache.h"
+
+namespace ptm::testbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files of a list, as seen from the root.
+std::string sources(const char* list) {
+  std::ifstream file(fs::path(variant_build().source_root) / list);
+  std::string text;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty() && line.rfind("//", 0) != 0) text += " " + line;
+  }
+  return text;
+}
+
+/// Yosys 0.23 reads no negative decimal.
+std::string hex(int value) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "32'h%08x", static_cast<unsigned>(value));
+  return text.data();
+}
+
+/// The stages of effects and their chain.
+std::string effect_sources() {
+  std::string text;
+  for (const std::string& file : variant_build().effect_files) text += " \"" + file + "\"";
+  return text;
+}
+
+std::string script(const std::vector<std::string>& parameters) {
+  std::string text = "read_verilog -sv -Irtl" + sources("rtl/files.f") + sources("rtl/unit.f") +
+                     effect_sources() + "; chparam";
+  for (const std::string& parameter : parameters) {
+    const std::size_t at = parameter.find('=');
+    text += " -set " + parameter.substr(0, at) + " " + hex(std::stoi(parameter.substr(at + 1)));
+  }
+  return text + " ptm_unit; hierarchy -check -top ptm_unit; proc; opt_clean; stat";
+}
+
+/// Of the whole design, which `stat` prints last: "$mul   368", "Number of cells:   7984".
+UnitCells read_counts(const fs::path& log) {
+  std::ifstream file(log);
+  UnitCells counts;
+  bool whole = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("=== design hierarchy ===") != std::string::npos) whole = true;
+    if (!whole) continue;
+    const std::size_t last = line.find_last_not_of("0123456789");
+    if (last == std::string::npos || last + 1 == line.size()) continue;
+    const std::uint64_t number = std::stoull(line.substr(last + 1));
+    std::string name;
+    std::istringstream(line) >> name;
+    if (line.find("Number of cells:") != std::string::npos) counts.cells = number;
+    if (line.find("Number of memory bits:") != std::string::npos) counts.memory_bits = number;
+    if (name == "$mul") counts.multipliers = number;
+    if (name == "$add" || name == "$sub") counts.adders += number;
+  }
+  return counts;
+}
+
+}  // namespace
+
+UnitCells count_unit_cells(const reference::EvalConfig& config, const reference::UnitConfig& unit) {
+  if (!find_program("yosys")) {
+    throw MissingTool("to count cells yosys is needed: install the package yosys");
+  }
+  const fs::path log =
+      fs::temp_directory_path() / ("ptmsim-cells-" + std::to_string(getpid()) + ".log");
+  const int status = run_command({"yosys", "-p", script(rtl_parameters(config, unit))}, log,
+                                 variant_build().source_root);
+  const UnitCells counts = read_counts(log);
+  fs::remove(log);
+  if (status != 0 || counts.cells == 0) throw std::runtime_error("yosys failed to read the RTL");
+  return counts;
+}
+
+}  // namespace ptm::testbench
