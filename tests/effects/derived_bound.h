@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "golden/render/unit_picture.h"
 #include "model/reference/unit/shade.h"
@@ -10,7 +11,7 @@
 /// How far the hardware's pixel may lie from golden's, derived from the bits: what the stored
 /// coefficients and the light's codes change is computed exactly from them, and every rounding adds
 /// what its fraction bits say. For texels sampled alone (no filter), of draws that are not combined
-/// or combined by replace or blend.
+/// or combined by replace, modulate or blend.
 namespace ptm::testbench {
 
 struct Interval {
@@ -127,6 +128,10 @@ class DerivedBound {
                           static_cast<std::size_t>(at.i0);
     const Interval texture{color.rgba[t * 4 + c] - 0.5, color.rgba[t * 4 + c] + 0.5};
     if (draw_.combine == reference::Combine::replace) return texture;
+    if (draw_.combine == reference::Combine::modulate) {
+      return {p.lo * std::max(texture.lo, 0.0) / 255 - step(1), p.hi * texture.hi / 255 + step(1)};
+    }
+    if (draw_.combine != reference::Combine::blend) throw std::logic_error("no bound is derived");
     const double ka = spec_.ka, kd = spec_.kd, weight = unit(9) * 2 * 255;  // two weights' rounding
     return {ka * texture.lo + kd * p.lo - weight - step(1),
             ka * texture.hi + kd * p.hi + weight + step(1)};
