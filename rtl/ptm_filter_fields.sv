@@ -96,24 +96,26 @@ module ptm_filter_fields #(
   // Fields come in groups: the six words of coefficients, LRGB's colour, its alpha, the colour
   // texture. Which of them the beat in L2 brings, from where, and whether it is added to the sum.
   localparam int Groups = 9, Color = 6, Alpha = 7, Texture = 8;
-  logic [Groups-1:0] here, indexed, brings_group, adds_q;
+  // (A bit a group: packed into vectors they cost the simulation twice as much.)
   for (genvar g = 0; g < Groups; g++) begin : gen_group
+    logic here, indexed, brings_it, adds_q;
     if (g < Color) begin : gen_coef
-      assign indexed[g] = (l2_lrgb_index && g < 2) || l2_rgb_index;
-      assign here[g]    = indexed[g] ||
-                          ((l2_rgb || (l2_lrgb && g < 2)) && brings(l2_group_i, g, g % Tmus));
+      assign indexed = (l2_lrgb_index && g < 2) || l2_rgb_index;
+      assign here    = indexed ||
+                       ((l2_rgb || (l2_lrgb && g < 2)) && brings(l2_group_i, g, g % Tmus));
     end else if (g < Texture) begin : gen_color
-      assign indexed[g] = l2_lrgb_index && g == Color;
-      assign here[g]    = indexed[g] ||
-                          (l2_lrgb && brings(l2_group_i, LrgbColor, LrgbColor % Tmus));
+      assign indexed = l2_lrgb_index && g == Color;
+      assign here    = indexed || (l2_lrgb && brings(l2_group_i, LrgbColor, LrgbColor % Tmus));
     end else begin : gen_texture
-      assign indexed[g] = 1'b0;
-      assign here[g]    = l2_color;
+      assign indexed = 1'b0;
+      assign here    = l2_color;
+      logic unused;
+      assign unused = indexed;
     end
-    assign brings_group[g] = load_l3_i && here[g];
+    assign brings_it = load_l3_i && here;
     always_ff @(posedge clk_i) begin
       if (load_l3_i) begin
-        adds_q[g] <= here[g] && l2_second_i == ((g < Texture ? l2_map_f_i : l2_color_f_i) != 8'd0);
+        adds_q <= here && l2_second_i == ((g < Texture ? l2_map_f_i : l2_color_f_i) != 8'd0);
       end
     end
   end
@@ -127,7 +129,9 @@ module ptm_filter_fields #(
       localparam int Tmu = Group % Tmus;
       always_comb begin
         value = '0;
-        if (brings_group[Group]) value = indexed[Group] ? l2[n] : l2[lane(Tmu, n % 3)];
+        if (gen_group[Group].brings_it) begin
+          value = gen_group[Group].indexed ? l2[n] : l2[lane(Tmu, n % 3)];
+        end
       end
       assign replace     = !l3_lit_i || l3_none;
       assign replacement = l3_none ? '0 : ValueW'(l3_bias_i[12*(n%6) +: CoefBits]) << FilterFrac;
@@ -135,7 +139,9 @@ module ptm_filter_fields #(
       localparam int Tmu = LrgbColor % Tmus;
       always_comb begin
         value = '0;
-        if (brings_group[Group]) value = indexed[Group] ? l2[n-12] : l2[lane(Tmu, n - 18)];
+        if (gen_group[Group].brings_it) begin
+          value = gen_group[Group].indexed ? l2[n-12] : l2[lane(Tmu, n - 18)];
+        end
       end
       if (n == 21) begin : gen_alpha
         assign replace     = !l3_lrgb;
@@ -147,7 +153,7 @@ module ptm_filter_fields #(
     end else begin : gen_texture
       always_comb begin
         value = '0;
-        if (brings_group[Group]) begin
+        if (gen_group[Group].brings_it) begin
           case (l2_format_i)
             ptm_unit_pkg::FormatNone: value = l2[lane(0, n - 22)];
             ptm_unit_pkg::FormatLrgb: value = l2[lane(3 % Tmus, n - 22)];
@@ -160,9 +166,9 @@ module ptm_filter_fields #(
       assign replacement = '0;
     end
     ptm_filter_field #(.Width(ValueW), .RoundNearest(RoundNearest)) u_field (
-      .clk_i(clk_i), .brings_i(brings_group[Group]), .second_i(l2_second_i),
+      .clk_i(clk_i), .brings_i(gen_group[Group].brings_it), .second_i(l2_second_i),
       .f_i(n < 22 ? l2_map_f_i : l2_color_f_i), .value_i(value),
-      .leave_l3_i(leave_l3_i), .adds_i(adds_q[Group]), .first_probe_i(l3_first_probe_i),
+      .leave_l3_i(leave_l3_i), .adds_i(gen_group[Group].adds_q), .first_probe_i(l3_first_probe_i),
       .probes_log2_i(l3_probes_log2_i),
       .load_o_i(load_o_i && (n < 6 || n >= 18 || l3_rgb)), .replace_i(replace),
       .replacement_i(replacement), .field_o(field[n])

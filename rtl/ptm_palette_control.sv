@@ -33,9 +33,17 @@ module ptm_palette_control #(
 
   logic [4*10-1:0] lrgb_index;
   logic [4*12-1:0] rgb_index;
-  for (genvar k = 0; k < 4; k++) begin : gen_index
-    assign lrgb_index[10*k +: 10] = {palette_i, words_i[32*k +: 8]};
-    assign rgb_index[12*k +: 12]  = words_i[32*k +: 12];
+  // Of other words' bits nothing is simulated
+  always_comb begin
+    lrgb_index = '0;
+    rgb_index  = '0;
+    if (lrgb_o) begin
+      lrgb_index = {palette_i, words_i[96 +: 8], palette_i, words_i[64 +: 8],
+                    palette_i, words_i[32 +: 8], palette_i, words_i[0 +: 8]};
+    end
+    if (rgb_o) begin
+      rgb_index = {words_i[96 +: 12], words_i[64 +: 12], words_i[32 +: 12], words_i[0 +: 12]};
+    end
   end
 
   logic [1:0] cycle_q;  // of the beat in D

@@ -78,7 +78,7 @@ module ptm_unit_address #(
       a1_planes_q   <= a0_planes;
       a1_color_q    <= a0_color;
       a1_map_q      <= a0_map;
-      a1_colors_q   <= a0_colors;
+      if (a0_color) a1_colors_q <= a0_colors;
     end
   end
 
@@ -123,10 +123,10 @@ module ptm_unit_address #(
       a2_planes_q    <= a1_planes_q;
       a2_color_q     <= a1_color_q;
       a2_map_q       <= a1_map_q;
-      a2_colors_q    <= a1_colors_q;
       a2_map_u_q     <= 32'(fu) * 32'(a1_map_q.width);
       a2_map_v_q     <= 32'(fv) * 32'(a1_map_q.height);
       if (a1_color_q) begin
+        a2_colors_q  <= a1_colors_q;
         a2_color_u_q <= 32'(fu) * 32'(a1_colors_q.width);
         a2_color_v_q <= 32'(fv) * 32'(a1_colors_q.height);
       end
@@ -182,9 +182,11 @@ module ptm_unit_address #(
       a3_map_texels_q         <= map_texels;
       a3_map_row_lines_q      <= map_row_lines;
       a3_map_column_lines_q   <= map_column_lines;
-      a3_color_texels_q       <= color_texels;
-      a3_color_row_lines_q    <= color_row_lines;
-      a3_color_column_lines_q <= color_column_lines;
+      if (a2_color_q) begin
+        a3_color_texels_q       <= color_texels;
+        a3_color_row_lines_q    <= color_row_lines;
+        a3_color_column_lines_q <= color_column_lines;
+      end
     end
   end
   assign map_texels_o         = a3_map_texels_q;

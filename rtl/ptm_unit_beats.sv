@@ -41,7 +41,14 @@ module ptm_unit_beats #(
   always_ff @(posedge clk_i) if (load) fragment_q <= fragment_i;
 
   ptm_unit_pkg::draw_t draw;
-  assign draw = draws_i[fragment_q.draw*DrawW +: DrawW];
+  always_comb begin
+    unique case (fragment_q.draw)
+      2'd0:    draw = draws_i[0*DrawW +: DrawW];
+      2'd1:    draw = draws_i[1*DrawW +: DrawW];
+      2'd2:    draw = draws_i[2*DrawW +: DrawW];
+      default: draw = draws_i[3*DrawW +: DrawW];
+    endcase
+  end
 
   // Words: the map's planes, the colour texture, the sets' planes
   always_comb begin

@@ -98,28 +98,28 @@ module ptm_unit_counters #(
     end
   end
 
-  logic [Wide-1:0] step [Shared];
-  assign step[0]  = Wide'(accepted_i);
-  assign step[1]  = Wide'(taken_i);
-  assign step[2]  = Wide'(counts);
-  assign step[3]  = Wide'(counts && k_leaves_i);
-  assign step[4]  = Wide'(counts && k_holds_i && !k_leaves_i && !f_accepts_i);
-  assign step[5]  = Wide'(counts && k_holds_i && !k_leaves_i && f_accepts_i);
-  assign step[6]  = Wide'(counts && !k_holds_i && t_waits_for_slots_i);
-  assign step[7]  = Wide'(counts && !k_holds_i && !t_waits_for_slots_i);
-  assign step[8]  = Wide'(k_leaves_i);
-  assign step[9]  = Wide'(inc_conflicts_i);
-  assign step[10] = Wide'(inc_words_i);
-  assign step[11] = Wide'(inc_taps_i);
-  assign step[12] = Wide'(hits_map) + Wide'(hits_color);
-  assign step[13] = Wide'(misses_map) + Wide'(misses_color);
-  assign step[14] = Wide'(inc_lines_i);
-  assign step[15] = Wide'(duplicates);
-  assign step[16] = Wide'(inc_palette_i);
-  assign step[17] = Wide'(inc_multiplies_address_i);
-  assign step[18] = Wide'(inc_multiplies_filter_i);
-  assign step[19] = Wide'(inc_multiplies_eval_i);
-  assign step[20] = Wide'(inc_multiplies_combine_i);
+  logic [Shared*Wide-1:0] step;
+  assign step[0*Wide +: Wide]  = Wide'(accepted_i);
+  assign step[1*Wide +: Wide]  = Wide'(taken_i);
+  assign step[2*Wide +: Wide]  = Wide'(counts);
+  assign step[3*Wide +: Wide]  = Wide'(counts && k_leaves_i);
+  assign step[4*Wide +: Wide]  = Wide'(counts && k_holds_i && !k_leaves_i && !f_accepts_i);
+  assign step[5*Wide +: Wide]  = Wide'(counts && k_holds_i && !k_leaves_i && f_accepts_i);
+  assign step[6*Wide +: Wide]  = Wide'(counts && !k_holds_i && t_waits_for_slots_i);
+  assign step[7*Wide +: Wide]  = Wide'(counts && !k_holds_i && !t_waits_for_slots_i);
+  assign step[8*Wide +: Wide]  = Wide'(k_leaves_i);
+  assign step[9*Wide +: Wide]  = Wide'(inc_conflicts_i);
+  assign step[10*Wide +: Wide] = Wide'(inc_words_i);
+  assign step[11*Wide +: Wide] = Wide'(inc_taps_i);
+  assign step[12*Wide +: Wide] = Wide'(hits_map) + Wide'(hits_color);
+  assign step[13*Wide +: Wide] = Wide'(misses_map) + Wide'(misses_color);
+  assign step[14*Wide +: Wide] = Wide'(inc_lines_i);
+  assign step[15*Wide +: Wide] = Wide'(duplicates);
+  assign step[16*Wide +: Wide] = Wide'(inc_palette_i);
+  assign step[17*Wide +: Wide] = Wide'(inc_multiplies_address_i);
+  assign step[18*Wide +: Wide] = Wide'(inc_multiplies_filter_i);
+  assign step[19*Wide +: Wide] = Wide'(inc_multiplies_eval_i);
+  assign step[20*Wide +: Wide] = Wide'(inc_multiplies_combine_i);
 
   // Only those that move are written. The cycles bring the idle time before them. What stands in
   // them after reset is cleared in the cycle after it.
@@ -131,10 +131,14 @@ module ptm_unit_counters #(
   assign clear = clear_i || fresh_q;
   logic [63:0] count_q [Shared];
   for (genvar n = 0; n < Shared; n++) begin : gen_counter
-    logic [63:0] sum;
-    assign sum = count_q[n] + 64'(step[n]) + (n == 2 || n == 7 ? idle_q : 64'd0);
+    logic [Wide-1:0] increment;
+    assign increment = step[n*Wide +: Wide];
     always_ff @(posedge clk_i) begin
-      if (clear || step[n] != '0) count_q[n] <= clear ? 64'd0 : sum;
+      if (clear) begin
+        count_q[n] <= 64'd0;
+      end else if (increment != '0) begin
+        count_q[n] <= count_q[n] + 64'(increment) + (n == 2 || n == 7 ? idle_q : 64'd0);
+      end
     end
   end
 
@@ -142,11 +146,18 @@ module ptm_unit_counters #(
   logic [63:0] draw_count_q [4*ptm_unit_pkg::Draws];
   for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_draw
     always_ff @(posedge clk_i) begin
-      if (clear || (looked_i && draw_i == ptm_unit_pkg::DrawBits'(d))) begin
-        draw_count_q[4*d]   <= clear ? 64'd0 : draw_count_q[4*d] + 64'(hits_map);
-        draw_count_q[4*d+1] <= clear ? 64'd0 : draw_count_q[4*d+1] + 64'(misses_map);
-        draw_count_q[4*d+2] <= clear ? 64'd0 : draw_count_q[4*d+2] + 64'(hits_color);
-        draw_count_q[4*d+3] <= clear ? 64'd0 : draw_count_q[4*d+3] + 64'(misses_color);
+      if (clear) begin
+        draw_count_q[4*d]   <= 64'd0;
+        draw_count_q[4*d+1] <= 64'd0;
+        draw_count_q[4*d+2] <= 64'd0;
+        draw_count_q[4*d+3] <= 64'd0;
+      end else if (looked_i) begin
+        if (draw_i == ptm_unit_pkg::DrawBits'(d)) begin
+          draw_count_q[4*d]   <= draw_count_q[4*d] + 64'(hits_map);
+          draw_count_q[4*d+1] <= draw_count_q[4*d+1] + 64'(misses_map);
+          draw_count_q[4*d+2] <= draw_count_q[4*d+2] + 64'(hits_color);
+          draw_count_q[4*d+3] <= draw_count_q[4*d+3] + 64'(misses_color);
+        end
       end
     end
   end

@@ -1,8 +1,8 @@
 // F and D: reads a beat's texels from the data banks of the TMUs' caches.
 //
 // Four banks a TMU by texel parity; a line is a row in each. F reads as it leaves for D, K writes
-// at the end of the cycle in which it commits; a read sees what stood before. D holds the rows and
-// picks the taps' words. docs/spec/unit-timing.md, Commit and fetch.
+// at the end of the cycle in which it commits; a read sees what stood before. D holds a word of
+// each bank and hands them to the taps. docs/spec/unit-timing.md, Commit and fetch.
 module ptm_unit_fetch #(
   parameter int Tmus = 3,
   parameter int Rows = 256,  // lines of a TMU's cache
@@ -52,29 +52,19 @@ module ptm_unit_fetch #(
   assign beat_o = d_beat_q;
 
   // Where either texture's taps lie
-  logic [3:0]  f_map_here, f_color_here, d_map_fetched, d_color_fetched;
-  logic [7:0]  f_map_tag_bank, f_color_tag_bank, d_map_word, d_color_word, d_map_bank, d_color_bank;
-  ptm_unit_taps u_map (
-    .clk_i(clk_i), .taken_i(f_map_q), .here_o(f_map_here), .tag_bank_o(f_map_tag_bank),
-    .d_load_i(d_load), .word_o(d_map_word), .fetched_o(d_map_fetched), .bank_o(d_map_bank)
-  );
-  ptm_unit_taps u_color (
-    .clk_i(clk_i), .taken_i(f_color_q), .here_o(f_color_here), .tag_bank_o(f_color_tag_bank),
-    .d_load_i(d_load), .word_o(d_color_word), .fetched_o(d_color_fetched), .bank_o(d_color_bank)
-  );
+  ptm_unit_front_pkg::sources_t map_sources, color_sources;
+  ptm_unit_taps u_map (.taken_i(f_map_q), .sources_o(map_sources));
+  ptm_unit_taps u_color (.taken_i(f_color_q), .sources_o(color_sources));
 
+  logic [Tmus-1:0] f_color;  // the texture of the TMU's word
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
-    logic f_color, d_color;  // the texture of its word
     ptm_unit_tmu_fetch #(
       .Rows(Rows)
     ) u_tmu (
       .clk_i(clk_i), .write_i(commit_i && rank_i[t]), .write_row_i(row_i[t*RowBits +: RowBits]),
       .line_i(line_i[t*LineWidth +: LineWidth]), .f_load_i(f_load),
-      .reads_i(reads_i[t*ReadsW +: ReadsW]), .f_color_o(f_color),
-      .here_i(f_color ? f_color_here : f_map_here),
-      .tag_bank_i(f_color ? f_color_tag_bank : f_map_tag_bank), .d_load_i(d_load),
-      .d_color_o(d_color), .fetched_i(d_color ? d_color_fetched : d_map_fetched),
-      .word_i(d_color ? d_color_word : d_map_word), .bank_i(d_color ? d_color_bank : d_map_bank),
+      .reads_i(reads_i[t*ReadsW +: ReadsW]), .f_color_o(f_color[t]),
+      .sources_i(f_color[t] ? color_sources : map_sources), .d_load_i(d_load),
       .taps_o(taps_o[t*TapsW +: TapsW])
     );
   end

@@ -9,7 +9,6 @@ package ptm_unit_front_pkg;
   localparam int SetBits   = 8;   // of a tag bank: 64 KiB, direct mapped
   localparam int RowBits   = 10;  // of a data bank: a line's place, {tag bank, set, way}
   localparam int LineWidth = 512;
-  localparam int BankWidth = 128; // a line's four words of one texel parity
   localparam int PlaceBits = 8;   // {set, way} of a tag bank's line
   localparam int TakenW    = 16;
   localparam int ReadsW    = 6 + 4 * PlaceBits;
@@ -48,13 +47,19 @@ package ptm_unit_front_pkg;
   typedef struct packed {
     logic [1:0] columns;  // that are fetched
     logic [1:0] rows;
-    logic [1:0] i2;       // bit 2 of columns 0 and 1
-    logic [1:0] i1;
-    logic [1:0] i0;
-    logic [1:0] j2;       // of rows
-    logic [1:0] j1;
-    logic [1:0] j0;
+    logic [2:0] i1;       // places of columns 1 and 0
+    logic [2:0] i0;
+    logic [2:0] j1;       // of rows
+    logic [2:0] j0;
   } taken_t;
+
+  // The same by data bank and by tap (F)
+  typedef struct packed {
+    logic [3:0]  fetched;  // by tap
+    logic [7:0]  bank;     // by tap: its data bank
+    logic [3:0]  here;     // by data bank: it is read
+    logic [15:0] at;       // by data bank: {tag bank of the tile, word in the row}
+  } sources_t;
 
   // What a TMU reads, and which of it is on the way (fragment FIFO, K, F)
   typedef struct packed {

@@ -22,11 +22,16 @@ module ptm_unit_lookup #(
   input  ptm_unit_front_pkg::column_lines_t column_lines_i,
   input  logic [3:0]                  taps_i,     // of the sub-beat
   output ptm_unit_front_pkg::taken_t  taken_o,
-  output logic [3:0]                  first_o,    // the tap is the first that needs its tile
+  // Rows and columns of which a tap is the first that needs its tile, if both are
+  output logic [1:0]                  new_rows_o,
+  output logic [1:0]                  new_columns_o,
   output logic [3:0]                  used_o,     // by bank: it has a look-up, for what follows
-  // A bank's hash before the plane, and what it is to be xored with
-  output logic [4*SetBits-1:0]        hash_o,
-  output logic [4*SetBits-1:0]        low_o,
+  // By parity, a column's and a row's part of a bank's hash before the plane, and of what it is to
+  // be xored with: sums and disjoint bits
+  output logic [2*SetBits-1:0]              hash_x_o,
+  output logic [2*SetBits-1:0]              hash_y_o,
+  output logic [2*SetBits-1:0]              low_x_o,
+  output logic [2*SetBits-1:0]              low_y_o,
   // By parity: a bank's line is the sum of its row's, its column's and the plane
   output logic [2*LineBits-1:0]       row_o,
   output logic [2*LineBits-1:0]       column_o
@@ -40,82 +45,46 @@ module ptm_unit_lookup #(
   assign columns = {texels_i.columns && (taps_i[1] || taps_i[3]), taps_i[0] || taps_i[2]};
   assign rows    = {texels_i.rows && (taps_i[2] || taps_i[3]), taps_i[0] || taps_i[1]};
 
-  logic [11:2] i0, i1, j0, j1;  // tiles
-  assign i0 = texels_i.i[0][11:2];
-  assign i1 = texels_i.i[1][11:2];
-  assign j0 = texels_i.j[0][11:2];
-  assign j1 = texels_i.j[1][11:2];
-
-  // Column 1 is new unless column 0 is fetched too and lies in the same tile; likewise row 1. A tap
-  // is the first to need its tile if both its column and its row are new.
-  logic [1:0] new_columns, new_rows;
-  always_comb begin
-    new_columns = '0;
-    new_rows    = '0;
-    if (enable_i) begin
-      new_columns = {columns[1] && (!columns[0] || i0 != i1), columns[0]};
-      new_rows    = {rows[1] && (!rows[0] || j0 != j1), rows[0]};
-    end
-  end
-  assign first_o = {{2{new_rows[1]}} & new_columns, {2{new_rows[0]}} & new_columns};
-  logic [2:0] place_i0, place_i1, place_j0, place_j1;
-  assign place_i0 = texels_i.i[0][2:0];
-  assign place_i1 = texels_i.i[1][2:0];
-  assign place_j0 = texels_i.j[0][2:0];
-  assign place_j1 = texels_i.j[1][2:0];
-  always_comb begin
-    taken_o = '0;
-    if (enable_i) begin
-      taken_o.columns = columns;
-      taken_o.rows    = rows;
-      taken_o.i2      = {place_i1[2], place_i0[2]};
-      taken_o.i1      = {place_i1[1], place_i0[1]};
-      taken_o.i0      = {place_i1[0], place_i0[0]};
-      taken_o.j2      = {place_j1[2], place_j0[2]};
-      taken_o.j1      = {place_j1[1], place_j0[1]};
-      taken_o.j0      = {place_j1[0], place_j0[0]};
-    end
-  end
+  // Column 1 is new unless column 0 is fetched too and lies in the same tile; likewise row 1.
+  logic [1:0] has_column, has_row, column0, row0;
+  logic [8:0] x_even, x_odd, y_even, y_odd;  // tx', ty': within the bank
+  ptm_unit_lookup_axis u_x (
+    .enable_i(enable_i), .fetched_i(columns), .tile0_i(texels_i.i[0][11:2]),
+    .tile1_i(texels_i.i[1][11:2]), .new_o(new_columns_o), .has_o(has_column), .first_o(column0),
+    .even_o(x_even), .odd_o(x_odd)
+  );
+  ptm_unit_lookup_axis u_y (
+    .enable_i(enable_i), .fetched_i(rows), .tile0_i(texels_i.j[0][11:2]),
+    .tile1_i(texels_i.j[1][11:2]), .new_o(new_rows_o), .has_o(has_row), .first_o(row0),
+    .even_o(y_even), .odd_o(y_odd)
+  );
 
   // The hash is a sum of a part for the level and the texture, one for the column and one for the
   // row. Modulo 2^SetBits, of which Sets is a factor.
-  logic [SetBits-1:0] hash_level;
-  assign hash_level = SetBits'(texels_i.level) + (SetBits'(texels_i.level) << 1) +
-                      (Color != 0 ? SetBits'(5) : '0);
-
-  // By parity: what columns and rows add
-  logic [1:0]         has_column, has_row;
-  logic [SetBits-1:0] low_x [2], hash_x [2], low_y [2], hash_y [2];
-  for (genvar p = 0; p < 2; p++) begin : gen_parity
-    logic        column0, row0;  // column 0 or row 0 has this parity; else it is 1's turn
-    logic [8:0]  x, y;           // tx', ty': within the bank
-    logic [13:0] column;
-    logic [25:0] row;
-    always_comb begin
-      {column0, row0, has_column[p], has_row[p]}         = '0;
-      {x, y, column, row}                                = '0;
-      {low_x[p], low_y[p], hash_x[p], hash_y[p]}         = '0;
-      if (enable_i) begin
-        column0       = columns[0] && i0[2] == 1'(p);
-        row0          = rows[0] && j0[2] == 1'(p);
-        has_column[p] = column0 || (columns[1] && i1[2] == 1'(p));
-        has_row[p]    = row0 || (rows[1] && j1[2] == 1'(p));
-        x             = column0 ? i0[11:3] : i1[11:3];
-        y             = row0 ? j0[11:3] : j1[11:3];
-        low_x[p]      = SetBits'(x & 9'((1 << Kx) - 1));
-        low_y[p]      = SetBits'((y & 9'((1 << Ky) - 1)) << Kx);
-        hash_x[p]     = SetBits'(x >> Kx);
-        hash_y[p]     = SetBits'(y >> Ky) + hash_level;
-        column        = column0 ? column_lines_i.column[0] : column_lines_i.column[1];
-        row           = row0 ? row_lines_i.row[0] : row_lines_i.row[1];
-      end
+  logic [SetBits-1:0]  hash_level;
+  logic [LineBits-1:0] column_line0, column_line1, row_line0, row_line1;
+  assign column_line0 = LineBits'(column_lines_i.column[0]);
+  assign column_line1 = LineBits'(column_lines_i.column[1]);
+  assign row_line0    = row_lines_i.row[0];
+  assign row_line1    = row_lines_i.row[1];
+  always_comb begin
+    {hash_level, used_o, hash_x_o, hash_y_o, low_x_o, low_y_o} = '0;
+    {column_o, row_o}                                          = '0;
+    taken_o                                                    = '0;
+    if (enable_i) begin
+      taken_o    = {columns, rows, texels_i.i[1][2:0], texels_i.i[0][2:0], texels_i.j[1][2:0],
+                    texels_i.j[0][2:0]};
+      used_o     = {{2{has_row[1]}} & has_column, {2{has_row[0]}} & has_column};
+      hash_level = SetBits'(texels_i.level) + (SetBits'(texels_i.level) << 1) +
+                   (Color != 0 ? SetBits'(5) : '0);
+      low_x_o    = {SetBits'(x_odd & 9'((1 << Kx) - 1)), SetBits'(x_even & 9'((1 << Kx) - 1))};
+      low_y_o    = {SetBits'((y_odd & 9'((1 << Ky) - 1)) << Kx),
+                    SetBits'((y_even & 9'((1 << Ky) - 1)) << Kx)};
+      hash_x_o   = {SetBits'(x_odd >> Kx), SetBits'(x_even >> Kx)};
+      hash_y_o   = {SetBits'(y_odd >> Ky) + hash_level, SetBits'(y_even >> Ky) + hash_level};
+      column_o   = {column0[1] ? column_line0 : column_line1,
+                    column0[0] ? column_line0 : column_line1};
+      row_o      = {row0[1] ? row_line0 : row_line1, row0[0] ? row_line0 : row_line1};
     end
-    assign column_o[p*LineBits +: LineBits] = LineBits'(column);
-    assign row_o[p*LineBits +: LineBits]    = row;
   end
-  assign used_o = {{2{has_row[1]}} & has_column, {2{has_row[0]}} & has_column};
-  assign low_o  = {low_y[1] | low_x[1], low_y[1] | low_x[0],
-                   low_y[0] | low_x[1], low_y[0] | low_x[0]};
-  assign hash_o = {hash_y[1] + hash_x[1], hash_y[1] + hash_x[0],
-                   hash_y[0] + hash_x[1], hash_y[0] + hash_x[0]};
 endmodule

@@ -75,9 +75,11 @@ module ptm_unit_miss_ring #(
   assign push = miss_push_i && pushed != 2'd0;
   for (genvar t = 0; t < Tmus; t++) begin : gen_push
     always_ff @(posedge clk_i) begin
-      if (push && miss_valid_i[t]) begin
-        address_q[behind(tail_q, lines_before(miss_valid_i, t))] <=
-            miss_line_i[t*LineBits +: LineBits];
+      if (push) begin
+        if (miss_valid_i[t]) begin
+          address_q[behind(tail_q, lines_before(miss_valid_i, t))] <=
+              miss_line_i[t*LineBits +: LineBits];
+        end
       end
     end
   end
@@ -103,10 +105,23 @@ module ptm_unit_miss_ring #(
   logic [Tmus-1:0] there;
   assign committed = lines_before(rank_i, Tmus);
   for (genvar t = 0; t < Tmus; t++) begin : gen_commit
-    logic [SlotBits-1:0] slot;
-    assign slot      = behind(head_q, lines_before(rank_i, t));
-    assign there[t]  = !rank_i[t] || usable_q[slot];
-    assign line_o[t*LineWidth +: LineWidth] = line_q[slot];
+    logic [SlotBits-1:0]  slot;
+    logic [LineWidth-1:0] line;
+    // Of a beat without lines nothing is asked
+    always_comb begin
+      slot     = '0;
+      there[t] = 1'b1;
+      if (rank_i != '0) begin
+        slot     = behind(head_q, lines_before(rank_i, t));
+        there[t] = !rank_i[t] || usable_q[slot];
+      end
+    end
+    // Without a commit nothing moves, and nothing is simulated
+    always_comb begin
+      line = '0;
+      if (commit_i && rank_i[t]) line = line_q[slot];
+    end
+    assign line_o[t*LineWidth +: LineWidth] = line;
   end
   assign usable_o = there == '1;
 

@@ -121,8 +121,12 @@ module ptm_unit_split #(
             3'(taps[3] && columns && rows);
   endfunction
   logic [2:0] taps_map, taps_color;
-  assign taps_map   = count(map_i.columns, map_i.rows, taps_o);
-  assign taps_color = count(color_texels_i.columns, color_texels_i.rows, taps_o);
+  always_comb begin  // of a texture that is not read nothing is simulated
+    taps_map   = '0;
+    taps_color = '0;
+    if (reads_map) taps_map = count(map_i.columns, map_i.rows, taps_o);
+    if (reads_color) taps_color = count(color_texels_i.columns, color_texels_i.rows, taps_o);
+  end
   always_comb begin
     inc_words_o = 2'd0;
     inc_taps_o  = 4'd0;

@@ -1,31 +1,36 @@
 // One tag bank of one TMU's cache: Sets sets of Ways ways, least recently used replaced first.
 //
-// A look-up is combinational. With update_i it is a use: a hit touches its way at the end of the
-// cycle, a miss allocates (an invalid way first, the lowest, else the one used longest ago).
-// Invalidation clears all in a cycle. The snoop ports tell whether a line that another TMU misses
-// stands here, for the counter `duplicate_lines`. docs/spec/unit-timing.md, Tags.
+// A look-up is combinational, and a use: a hit touches its way at the end of the cycle, a miss
+// allocates (an invalid way first, the lowest, else the one used longest ago). Invalidation clears
+// all in a cycle. The miss ports tell whether a line that another TMU misses stands here, for the
+// counter `duplicate_lines`. docs/spec/unit-timing.md, Tags.
 module ptm_unit_tag_bank #(
   parameter int Sets   = 32,
   parameter int Ways   = 2,   // 1, 2, 4
-  parameter int Snoops = 2,   // 1 or more
+  parameter int Tmus   = 3,
+  parameter int Tmu    = 0,   // whose cache this is
   localparam int SetBits  = ptm_unit_front_pkg::SetBits,
-  localparam int LineBits = ptm_unit_pkg::LineBits
+  localparam int LineBits = ptm_unit_pkg::LineBits,
+  localparam int PlaceW   = ptm_unit_front_pkg::PlaceBits
 ) (
-  input  logic                            clk_i,
-  input  logic                            rst_ni,
-  input  logic                            invalidate_i,
-  input  logic                            update_i,
-  input  logic [SetBits-1:0]              set_i,
-  input  logic [LineBits-1:0]             line_i,
-  output logic                            hit_o,
-  output logic [ptm_unit_front_pkg::PlaceBits-1:0] place_o,  // {set, way}
-  input  logic [Snoops-1:0]               snoop_i,
-  input  logic [Snoops*SetBits-1:0]       snoop_set_i,
-  input  logic [Snoops*LineBits-1:0]      snoop_line_i,
-  output logic [Snoops-1:0]               snoop_held_o
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  logic                     invalidate_i,
+  input  logic                     look_up_i,
+  input  logic [SetBits-1:0]       set_i,
+  input  logic [LineBits-1:0]      line_i,
+  output logic                     hit_o,    // of a look-up; else 0
+  output logic [PlaceW-1:0]        place_o,  // {set, way}
+  // What this bank's like misses in each TMU
+  input  logic                     any_miss_i,  // none of them: nothing is simulated
+  input  logic [Tmus-1:0]          miss_i,
+  input  logic [Tmus*SetBits-1:0]  miss_set_i,
+  input  logic [Tmus*LineBits-1:0] miss_line_i,
+  output logic [Tmus-1:0]          held_o       // another TMU's miss stands here
 );
-  localparam int Lines    = Sets * Ways;
+  localparam int Lines     = Sets * Ways;
   localparam int PlaceBits = Lines == 1 ? 1 : $clog2(Lines);
+  localparam int WayBits   = $clog2(Ways);
 
   logic [Lines-1:0]    valid_q;          // {set, way}
   logic [LineBits-1:0] tag_q [Lines];
@@ -33,45 +38,41 @@ module ptm_unit_tag_bank #(
   // was used, so it needs no reset: it is asked only where all ways are valid.
   logic [Ways*Ways-1:0] older_q [Sets];
 
-  function automatic logic [PlaceBits-1:0] place(input logic [SetBits-1:0] of_set,
-                                                 input logic [1:0] of_way);
-    place = PlaceBits'(32'(of_set) * Ways + 32'(of_way));
-  endfunction
-
   localparam int SetIndexBits = Sets == 1 ? 1 : $clog2(Sets);
   logic [SetIndexBits-1:0] set;
-  assign set = set_i[SetIndexBits-1:0];
+  logic [PlaceBits-1:0]    first;  // way of the set
+  assign set   = set_i[SetIndexBits-1:0];
+  assign first = PlaceBits'(set_i) << WayBits;
 
   // Without a look-up nothing is read, and nothing simulated
-  logic       hit;
-  logic [1:0] way;  // of the hit, or the one to be allocated
+  logic                 allocates;
+  logic [1:0]           way;          // of the hit, or the one to be allocated
+  logic [PlaceBits-1:0] place;        // likewise
+  logic [Ways*Ways-1:0] older_after;  // the ways' order after this use
   always_comb begin
-    hit = 1'b0;
-    way = 2'd0;
-    if (update_i) begin
+    hit_o       = 1'b0;
+    allocates   = 1'b0;
+    way         = 2'd0;
+    place       = '0;
+    older_after = '0;
+    if (look_up_i) begin
+      allocates = 1'b1;
       for (int w = 0; w < Ways; w++) begin
-        if (valid_q[place(set_i, 2'(w))] && tag_q[place(set_i, 2'(w))] == line_i) begin
-          hit = 1'b1;
-          way = 2'(w);
+        if (valid_q[first | PlaceBits'(w)] && tag_q[first | PlaceBits'(w)] == line_i) begin
+          hit_o     = 1'b1;
+          allocates = 1'b0;
+          way       = 2'(w);
         end
       end
-      if (!hit) begin
+      if (allocates) begin
         for (int w = Ways - 1; w >= 0; w--) begin
           if ((older_q[set][w*Ways +: Ways] | Ways'(1 << w)) == '1) way = 2'(w);
         end
         for (int w = Ways - 1; w >= 0; w--) begin
-          if (!valid_q[place(set_i, 2'(w))]) way = 2'(w);
+          if (!valid_q[first | PlaceBits'(w)]) way = 2'(w);
         end
       end
-    end
-  end
-  assign hit_o   = hit;
-  assign place_o = ptm_unit_front_pkg::PlaceBits'(place(set_i, way));
-  // The ways' order after this use
-  logic [Ways*Ways-1:0] older_after;
-  always_comb begin
-    older_after = '0;
-    if (update_i) begin
+      place       = first | PlaceBits'(way);
       older_after = older_q[set];
       for (int w = 0; w < Ways; w++) begin
         for (int other = 0; other < Ways; other++) begin
@@ -81,29 +82,27 @@ module ptm_unit_tag_bank #(
       end
     end
   end
+  assign place_o = PlaceW'(place);
   always_ff @(posedge clk_i) begin
-    if (update_i) begin
-      older_q[set] <= older_after;
-      if (!hit) tag_q[place(set_i, way)] <= line_i;
-    end
+    if (look_up_i) older_q[set] <= older_after;
+    if (allocates) tag_q[place] <= line_i;
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
     else if (invalidate_i) valid_q <= '0;
-    else if (update_i && !hit) valid_q[place(set_i, way)] <= 1'b1;
+    else if (allocates) valid_q[place] <= 1'b1;
   end
 
-  for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
-    logic [SetBits-1:0]  other_set;
-    logic [LineBits-1:0] other_line;
-    assign other_set  = snoop_set_i[s*SetBits +: SetBits];
-    assign other_line = snoop_line_i[s*LineBits +: LineBits];
-    always_comb begin
-      snoop_held_o[s] = 1'b0;
-      if (snoop_i[s]) begin
+  always_comb begin
+    held_o = '0;
+    if (any_miss_i) begin
+      for (int t = 0; t < Tmus; t++) begin
         for (int w = 0; w < Ways; w++) begin
-          if (valid_q[place(other_set, 2'(w))]) begin
-            if (tag_q[place(other_set, 2'(w))] == other_line) snoop_held_o[s] = 1'b1;
+          if (t != Tmu && miss_i[t] &&
+              valid_q[(PlaceBits'(miss_set_i[t*SetBits +: SetBits]) << WayBits) | PlaceBits'(w)] &&
+              tag_q[(PlaceBits'(miss_set_i[t*SetBits +: SetBits]) << WayBits) | PlaceBits'(w)] ==
+                  miss_line_i[t*LineBits +: LineBits]) begin
+            held_o[t] = 1'b1;
           end
         end
       end

@@ -51,38 +51,41 @@ module ptm_unit_tags #(
   output logic [Tmus-1:0]   color_o,       // texture of the TMU's word
   output logic [ptm_unit_pkg::DrawBits-1:0] draw_o
 );
-  localparam int SetBits    = ptm_unit_front_pkg::SetBits;
-  localparam int PlaceBits  = ptm_unit_front_pkg::PlaceBits;
-  localparam int LookUpBits = $clog2(Tmus * 4);
-  localparam int Snoops     = Tmus == 1 ? 1 : Tmus - 1;
+  localparam int SetBits   = ptm_unit_front_pkg::SetBits;
+  localparam int PlaceBits = ptm_unit_front_pkg::PlaceBits;
 
   // What the words of either texture look up
   ptm_unit_front_pkg::taken_t map_taken, color_taken;
-  logic [3:0]            map_first, color_first, map_used, color_used;
-  logic [4*SetBits-1:0]  map_hash, color_hash, map_low, color_low;
+  logic [1:0]            map_new_rows, map_new_columns, color_new_rows, color_new_columns;
+  logic [3:0]            map_used, color_used;
+  logic [2*SetBits-1:0]  map_hash_x, map_hash_y, map_low_x, map_low_y;
+  logic [2*SetBits-1:0]  color_hash_x, color_hash_y, color_low_x, color_low_y;
   logic [2*LineBits-1:0] map_row, color_row, map_column, color_column;
   ptm_unit_lookup #(
     .Sets(Sets), .Color(0)
   ) u_lookup_map (
     .enable_i((fetched_i & ~color_i) != '0), .texels_i(map_texels_i),
     .row_lines_i(map_row_lines_i), .column_lines_i(map_column_lines_i), .taps_i(taps_i),
-    .taken_o(map_taken), .first_o(map_first), .used_o(map_used), .hash_o(map_hash),
-    .low_o(map_low), .row_o(map_row), .column_o(map_column)
+    .taken_o(map_taken), .new_rows_o(map_new_rows), .new_columns_o(map_new_columns),
+    .used_o(map_used), .hash_x_o(map_hash_x), .hash_y_o(map_hash_y),
+    .low_x_o(map_low_x), .low_y_o(map_low_y), .row_o(map_row), .column_o(map_column)
   );
   ptm_unit_lookup #(
     .Sets(Sets), .Color(1)
   ) u_lookup_color (
     .enable_i((fetched_i & color_i) != '0), .texels_i(color_texels_i),
     .row_lines_i(color_row_lines_i), .column_lines_i(color_column_lines_i), .taps_i(taps_i),
-    .taken_o(color_taken), .first_o(color_first), .used_o(color_used), .hash_o(color_hash),
-    .low_o(color_low), .row_o(color_row), .column_o(color_column)
+    .taken_o(color_taken), .new_rows_o(color_new_rows), .new_columns_o(color_new_columns),
+    .used_o(color_used), .hash_x_o(color_hash_x), .hash_y_o(color_hash_y),
+    .low_x_o(color_low_x), .low_y_o(color_low_y), .row_o(color_row), .column_o(color_column)
   );
 
   // T
   logic                       t_valid, t_load, leaves;
   ptm_unit_pkg::beat_t        beat_q;
   ptm_unit_front_pkg::taken_t map_taken_q, color_taken_q;
-  logic [3:0]                 map_first_q, color_first_q, map_used_q, color_used_q;
+  logic [1:0]                 map_new_rows_q, map_new_columns_q;
+  logic [1:0]                 color_new_rows_q, color_new_columns_q;
   logic [Tmus-1:0]            fetched_q, color_q;
   ptm_stream_reg u_t (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .load_o(t_load),
@@ -93,10 +96,8 @@ module ptm_unit_tags #(
       beat_q        <= beat_i;
       map_taken_q   <= map_taken;
       color_taken_q <= color_taken;
-      map_first_q   <= map_first;
-      color_first_q <= color_first;
-      map_used_q    <= map_used;
-      color_used_q  <= color_used;
+      {map_new_rows_q, map_new_columns_q}     <= {map_new_rows, map_new_columns};
+      {color_new_rows_q, color_new_columns_q} <= {color_new_rows, color_new_columns};
       fetched_q     <= fetched_i;
       color_q       <= color_i;
     end
@@ -106,90 +107,110 @@ module ptm_unit_tags #(
   assign color_o = color_q;
   assign taken_o = {color_taken_q, map_taken_q};
 
-  logic first_q;  // the first cycle of the beat
+  // In the first cycle of the beat: the banks with a look-up, by TMU
+  logic              first_q;
+  logic [Tmus*4-1:0] look_up, look_up_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) first_q <= 1'b0;
-    else first_q <= t_load;
+    if (!rst_ni) begin
+      first_q   <= 1'b0;
+      look_up_q <= '0;
+    end else begin
+      first_q   <= t_load;
+      look_up_q <= t_load ? look_up : '0;
+    end
   end
   assign looked_o = first_q;
 
-  logic [SetBits-1:0]     set [Tmus*4];   // looked up, by TMU, then bank
-  logic [LineBits-1:0]    line [Tmus*4];
-  logic [Tmus-1:0]        more;
-  logic [Tmus*4-1:0]      hit;
-  logic [Tmus*Tmus*4-1:0] held;  // [holder][misser][bank]
+  logic [Tmus-1:0]            more;
+  logic [4*Tmus*SetBits-1:0]  sets;   // looked up, by bank, then TMU
+  logic [4*Tmus*LineBits-1:0] lines;
+  // The same of misses, and where another TMU holds them; else all stands still
+  logic                       any_miss;
+  logic [4*Tmus-1:0]          miss;
+  logic [4*Tmus*SetBits-1:0]  miss_set;
+  logic [4*Tmus*LineBits-1:0] miss_line;
+  logic [4*Tmus*Tmus-1:0]     held;   // by bank, then holder, then misser
+  always_comb begin
+    {miss, miss_set, miss_line} = '0;
+    if (any_miss) begin
+      miss_set  = sets;
+      miss_line = lines;
+      for (int b = 0; b < 4; b++) begin
+        for (int t = 0; t < Tmus; t++) miss[b*Tmus + t] = misses_o[t*4 + b];
+      end
+    end
+  end
+  always_comb begin
+    duplicates_o = '0;
+    if (any_miss) begin
+      for (int b = 0; b < 4; b++) begin
+        for (int n = 0; n < Tmus * Tmus; n++) begin
+          if (held[b*Tmus*Tmus + n]) duplicates_o[(n % Tmus)*4 + b] = 1'b1;
+        end
+      end
+    end
+  end
+  assign misses_o = look_up_q & ~hits_o;
+  assign any_miss = misses_o != '0;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     // A word's look-ups are its texture's, moved by its plane
     logic [PlaneBits-1:0]  plane;
-    logic [4*SetBits-1:0]  hash, low;
+    logic [2*SetBits-1:0]  hash_x, hash_y, low_x, low_y;
     logic [2*LineBits-1:0] row, column;
     assign plane  = plane_i[t*PlaneBits +: PlaneBits];
-    assign hash   = color_i[t] ? color_hash : map_hash;
-    assign low    = color_i[t] ? color_low : map_low;
+    assign hash_x = color_i[t] ? color_hash_x : map_hash_x;
+    assign hash_y = color_i[t] ? color_hash_y : map_hash_y;
+    assign low_x  = color_i[t] ? color_low_x : map_low_x;
+    assign low_y  = color_i[t] ? color_low_y : map_low_y;
     assign row    = color_i[t] ? color_row : map_row;
     assign column = color_i[t] ? color_column : map_column;
-
-    logic [3:0] used, first;
-    assign used  = !fetched_q[t] ? 4'd0 : color_q[t] ? color_used_q : map_used_q;
-    assign first = !fetched_q[t] ? 4'd0 : color_q[t] ? color_first_q : map_first_q;
+    assign look_up[t*4 +: 4] = !fetched_i[t] ? 4'd0 : color_i[t] ? color_used : map_used;
 
     logic [4*PlaceBits-1:0] place;
+    logic [LineBits-1:0]    line [4];  // by bank
     for (genvar b = 0; b < 4; b++) begin : gen_bank
       localparam int At = t * 4 + b;
-      logic [SetBits-1:0]  hashed, set_q;
+      localparam int X = b % 2, Y = b / 2;
+      logic [SetBits-1:0]  hash, low, set_q;
       logic [LineBits-1:0] line_q;
-      assign hashed = hash[b*SetBits +: SetBits] + SetBits'(plane);
+      assign hash = hash_y[Y*SetBits +: SetBits] + hash_x[X*SetBits +: SetBits] + SetBits'(plane);
+      assign low  = low_y[Y*SetBits +: SetBits] | low_x[X*SetBits +: SetBits];
       always_ff @(posedge clk_i) begin
         if (t_load) begin
-          set_q  <= (low[b*SetBits +: SetBits] ^ hashed) & SetBits'(Sets - 1);
-          line_q <= row[(b/2)*LineBits +: LineBits] + column[(b%2)*LineBits +: LineBits] +
-                    LineBits'(plane);
+          if (look_up[At]) begin
+            set_q  <= (low ^ hash) & SetBits'(Sets - 1);
+            line_q <= row[Y*LineBits +: LineBits] + column[X*LineBits +: LineBits] +
+                      LineBits'(plane);
+          end
         end
       end
-      assign set[At]  = set_q;
-      assign line[At] = line_q;
-      // The other TMUs, in order; a single one has nobody to ask for
-      logic [Snoops-1:0]          snoop, snoop_held;
-      logic [Snoops*LineBits-1:0] snoop_line;
-      logic [Snoops*SetBits-1:0]  snoop_set;
-      for (genvar s = 0; s < Snoops; s++) begin : gen_snoop
-        localparam int Other = Tmus == 1 ? 0 : s < t ? s : s + 1;
-        assign snoop[s]                           = Tmus > 1 && first_q && misses_o[Other*4 + b];
-        assign snoop_line[s*LineBits +: LineBits] = line[Other*4 + b];
-        assign snoop_set[s*SetBits +: SetBits]    = set[Other*4 + b];
-        assign held[(t*Tmus + Other)*4 + b]       = snoop_held[s];
-      end
-      if (Tmus > 1) begin : gen_self
-        assign held[(t*Tmus + t)*4 + b] = 1'b0;
-      end
+      localparam int By = b * Tmus + t;
+      assign sets[By*SetBits +: SetBits]    = set_q;
+      assign lines[By*LineBits +: LineBits] = line_q;
+      assign line[b]                        = line_q;
       ptm_unit_tag_bank #(
-        .Sets(Sets), .Ways(Ways), .Snoops(Snoops)
+        .Sets(Sets), .Ways(Ways), .Tmus(Tmus), .Tmu(t)
       ) u_bank (
-        .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i),
-        .update_i(first_q && used[b]), .set_i(set_q), .line_i(line_q), .hit_o(hit[At]),
-        .place_o(place[b*PlaceBits +: PlaceBits]), .snoop_i(snoop), .snoop_set_i(snoop_set),
-        .snoop_line_i(snoop_line), .snoop_held_o(snoop_held)
+        .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .look_up_i(look_up_q[At]),
+        .set_i(set_q), .line_i(line_q), .hit_o(hits_o[At]),
+        .place_o(place[b*PlaceBits +: PlaceBits]), .any_miss_i(any_miss),
+        .miss_i(miss[b*Tmus +: Tmus]), .miss_set_i(miss_set[b*Tmus*SetBits +: Tmus*SetBits]),
+        .miss_line_i(miss_line[b*Tmus*LineBits +: Tmus*LineBits]),
+        .held_o(held[By*Tmus +: Tmus])
       );
     end
-    assign hits_o[t*4 +: 4]   = used & hit[t*4 +: 4];
-    assign misses_o[t*4 +: 4] = used & ~hit[t*4 +: 4];
 
     logic [1:0] miss_bank;
     ptm_unit_tmu_tags u_tmu (
       .clk_i(clk_i), .valid_i(t_valid), .first_i(first_q), .push_i(miss_push_o),
       .fetched_i(fetched_q[t]), .color_i(color_q[t]),
-      .taken_i(color_q[t] ? color_taken_q : map_taken_q), .first_taps_i(first),
+      .taken_i(color_q[t] ? color_taken_q : map_taken_q),
+      .new_rows_i(color_q[t] ? color_new_rows_q : map_new_rows_q),
+      .new_columns_i(color_q[t] ? color_new_columns_q : map_new_columns_q),
       .misses_i(misses_o[t*4 +: 4]), .place_i(place), .miss_valid_o(miss_valid_o[t]),
       .miss_bank_o(miss_bank), .more_o(more[t]), .reads_o(reads_o[t*ReadsW +: ReadsW])
     );
-    assign miss_line_o[t*LineBits +: LineBits] = line[LookUpBits'(t*4) + LookUpBits'(miss_bank)];
-  end
-
-  always_comb begin
-    duplicates_o = '0;
-    for (int holder = 0; holder < Tmus; holder++) begin
-      duplicates_o = duplicates_o | held[holder*Tmus*4 +: Tmus*4];
-    end
+    assign miss_line_o[t*LineBits +: LineBits] = line[miss_bank];
   end
 
   // Ranks and the way out. Whether the FIFO has a place is known at the cycle's start.

@@ -30,8 +30,8 @@ module ptm_unit_tmu_commit #(
     row_o                              = '0;
     if (line_o) begin
       tap         = left_q[0] ? 2'd0 : left_q[1] ? 2'd1 : left_q[2] ? 2'd2 : 2'd3;
-      column_bank = reads_q.color ? color_i.i2 : map_i.i2;
-      row_bank    = reads_q.color ? color_i.j2 : map_i.j2;
+      column_bank = reads_q.color ? {color_i.i1[2], color_i.i0[2]} : {map_i.i1[2], map_i.i0[2]};
+      row_bank    = reads_q.color ? {color_i.j1[2], color_i.j0[2]} : {map_i.j1[2], map_i.j0[2]};
       bank        = {row_bank[tap[1]], column_bank[tap[0]]};
       row_o       = (RowBits'(bank) << ($clog2(Rows) - 2)) | RowBits'(reads_q.place[bank]);
     end

@@ -13,7 +13,8 @@ module ptm_unit_tmu_tags #(
   input  logic                        fetched_i,     // this TMU has a word that is fetched
   input  logic                        color_i,       // of the colour texture
   input  ptm_unit_front_pkg::taken_t  taken_i,
-  input  logic [3:0]                  first_taps_i,  // that need their tile first
+  input  logic [1:0]                  new_rows_i,    // a tap is the first to need its tile if both
+  input  logic [1:0]                  new_columns_i, // its row and its column are new
   // Look-ups, by bank
   input  logic [3:0]                  misses_i,
   input  logic [4*PlaceBits-1:0]      place_i,
@@ -23,10 +24,6 @@ module ptm_unit_tmu_tags #(
   output logic                        more_o,        // the beat has misses beyond this rank
   output ptm_unit_front_pkg::reads_t  reads_o
 );
-  logic [1:0] column_bank, row_bank;  // halves of a tap's tag bank
-  assign column_bank = taken_i.i2;
-  assign row_bank    = taken_i.j2;
-
   // Misses by tap: all of the beat's, and those still to be pushed
   logic [3:0]             missed_now, missed_q, left, left_q, left_after;
   logic [4*PlaceBits-1:0] place_q;
@@ -34,7 +31,9 @@ module ptm_unit_tmu_tags #(
     missed_now = 4'd0;
     if (misses_i != 4'd0) begin
       for (int tap = 0; tap < 4; tap++) begin
-        missed_now[tap] = first_taps_i[tap] && misses_i[{row_bank[tap/2], column_bank[tap%2]}];
+        missed_now[tap] = new_rows_i[tap/2] && new_columns_i[tap%2] &&
+                          misses_i[{tap / 2 == 0 ? taken_i.j0[2] : taken_i.j1[2],
+                                    tap % 2 == 0 ? taken_i.i0[2] : taken_i.i1[2]}];
       end
     end
   end
@@ -48,14 +47,18 @@ module ptm_unit_tmu_tags #(
     left_q <= push_i ? left_after : left;
   end
 
-  logic [1:0] tap_now;
+  logic [1:0] tap_now, column_bank, row_bank;  // halves of a tap's tag bank
   assign miss_valid_o = valid_i && left != 4'd0;
   assign more_o       = left_after != 4'd0;
   always_comb begin
     tap_now     = 2'd0;
+    column_bank = 2'd0;
+    row_bank    = 2'd0;
     miss_bank_o = 2'd0;
     if (left != 4'd0) begin
       tap_now     = left[0] ? 2'd0 : left[1] ? 2'd1 : left[2] ? 2'd2 : 2'd3;
+      column_bank = {taken_i.i1[2], taken_i.i0[2]};
+      row_bank    = {taken_i.j1[2], taken_i.j0[2]};
       miss_bank_o = {row_bank[tap_now[1]], column_bank[tap_now[0]]};
     end
   end

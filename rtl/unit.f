@@ -9,6 +9,7 @@ rtl/ptm_unit_wrap.sv
 rtl/ptm_unit_footprint.sv
 rtl/ptm_unit_scale.sv
 rtl/ptm_unit_tiles.sv
+rtl/ptm_unit_lookup_axis.sv
 rtl/ptm_unit_lookup.sv
 rtl/ptm_unit_beats.sv
 rtl/ptm_unit_split.sv
