@@ -21,7 +21,8 @@ TEST_P(RtlUnitEffects, AreTheReferencesUnderRandomLatenciesStallsAndGaps) {
   for (std::uint64_t seed = 101; seed <= 140; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     UnitSceneMaker make(seed);
-    const UnitScene scene = make.scene(variant.config, variant.unit);
+    UnitScene scene = make.scene(variant.config, variant.unit);
+    if (seed % 4 != 0) spread_luminance(scene);
     const auto fragments = random_fragments(make, scene, 200);
     unit->load(scene.state);
     const auto memory = make_memory(RandomMemory{.seed = seed, .latency_max = 40});
@@ -119,7 +120,7 @@ TEST_P(RtlUnitEffects, HoldWhatTheUnitHoldsAndAPixelARegisterOfTheChainWhenBlock
 }
 
 /// A descriptor that is wrong in one or more respects, or right.
-void break_something(UnitSceneMaker& make, reference::Draw& draw) {
+void break_something(UnitSceneMaker& make, std::uint64_t memory, reference::Draw& draw) {
   reference::DrawEffects& e = draw.effects;
   switch (make.in(0, 6)) {
     case 0:
@@ -137,10 +138,13 @@ void break_something(UnitSceneMaker& make, reference::Draw& draw) {
     case 4:
       draw.format = static_cast<reference::TextureFormat>(make.in(0, 4));
       break;
-    case 5:
-      draw.map.base[static_cast<std::size_t>(make.in(0, draw.map.levels - 1))] +=
-          static_cast<std::uint32_t>(make.in(0, 40));
+    case 5: {  // a level ends with the memory, or a line behind it
+      const int level = make.in(0, draw.map.levels - 1);
+      const std::uint64_t lines = level_lines(draw.map, array_planes(draw), level);
+      draw.map.base[static_cast<std::size_t>(level)] =
+          static_cast<std::uint32_t>(memory - lines) + static_cast<std::uint32_t>(make.in(0, 1));
       break;
+    }
     default:
       break;
   }
@@ -163,7 +167,7 @@ TEST_P(RtlUnitEffects, RefuseWhatTheReferenceRefusesWithTheSameBits) {
     UnitScene scene = make.scene(variant.config, variant.unit);
     std::uint32_t expected = 0;
     for (std::size_t d = 0; d < scene.state.draws.size(); ++d) {
-      break_something(make, scene.state.draws[d]);
+      break_something(make, scene.state.memory.size(), scene.state.draws[d]);
       const unsigned bits = check_draw(as_held(scene.state.draws[d], variant.unit),
                                        scene.state.memory.size(), variant.unit);
       expected |= bits << (8 * d);

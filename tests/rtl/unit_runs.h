@@ -30,6 +30,22 @@ inline std::vector<testbench::RtlUnitVariant> effect_variants() {
   return out;
 }
 
+/// Biases and shifts with which luminances spread over the levels; with those of a random scene
+/// most lie at either end, and a value that is another pass's goes unseen.
+inline void spread_luminance(UnitScene& scene) {
+  const reference::Value middle = reference::Value{1} << (scene.config.coef_bits - 1);
+  const reference::Six<reference::Value> bias{middle, middle, middle, middle, middle, 0};
+  for (reference::Draw& draw : scene.state.draws) {
+    draw.bias = bias;
+    draw.shift = {3, 3, 3, 2, 2, 0};
+    for (std::size_t s = 0; s < static_cast<std::size_t>(draw.effects.sets); ++s) {
+      draw.effects.bias[s] = bias;
+      draw.effects.bias[s][5] = static_cast<reference::Value>(8 * s);
+      draw.effects.shift[s] = {3, 3, 3, 2, 2, static_cast<reference::Value>(s / 2)};
+    }
+  }
+}
+
 /// Fragments that jump, and runs of them that walk, so that lines are missed and hit.
 inline std::vector<reference::UnitFragment> random_fragments(UnitSceneMaker& make,
                                                              const UnitScene& scene,
