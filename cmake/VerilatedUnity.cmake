@@ -2,7 +2,7 @@
 # Verilator wrote, whose names carry hashes and cannot be listed before it has run, and the harness.
 file(GLOB sources RELATIVE ${DIR} ${DIR}/*.cpp)
 list(SORT sources)
-set(text "#include \"testbench/rtl/verilated_shift.h\"\n")
+set(text "")
 foreach(source IN LISTS sources)
   string(APPEND text "#include \"${source}\"\n")
 endforeach()
