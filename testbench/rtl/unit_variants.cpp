@@ -49,7 +49,7 @@ const std::array<RtlUnitVariant, 9> kUnits{
      {"base1", kBase, {.tmus = 1}, make_rtl_unit_base1},
      {"paper8", kPaper8, {}, make_rtl_unit_paper8},
      {"wide", kWide, {}, make_rtl_unit_wide},
-     {"effects", kBase, with_effects({}, 4, 4, kStages), make_rtl_unit_effects},
+     {"effects", kBase, with_effects({}, 3, 4, kStages), make_rtl_unit_effects},
      {"specular", kBase, with_effects({}, 0, 1, kStages & 5U), make_rtl_unit_specular},
      {"small_effects", kSmallEffects, with_effects(one_tmu(kSmallUnit), 4, 4, kStages),
       make_rtl_unit_small_effects},

@@ -59,11 +59,11 @@ struct UnitTiming {
 
 /// A draw of the scene, for the table of hit rates.
 struct UnitDraw {
-  std::string object;                ///< as the scene names it
-  std::string texture;               ///< of the map; empty if it has none
-  std::string color;                 ///< of the colour texture; empty if it has none
-  std::vector<std::string> effects;  ///< names
-  double cycles_per_pixel = 0;       ///< warm, by the formula of docs/spec/unit-timing.md
+  std::string object;                  ///< as the scene names it
+  std::string texture;                 ///< of the map; empty if it has none
+  std::string color;                   ///< of the colour texture; empty if it has none
+  double cycles_per_pixel = 0;         ///< warm, by the formula of docs/spec/unit-timing.md
+  std::vector<std::string> effects{};  ///< names
 };
 
 /// What only scenes of the whole unit have (docs/spec/unit-timing.md).

@@ -106,9 +106,9 @@ UnitSection make_unit_section(const UnitJob& job, const std::vector<UnitTimed>& 
   section.window = std::max<std::uint64_t>(1, cycles / kWindows);
   for (std::size_t d = 0; d < job.scene.draws.size(); ++d) {
     const golden::DrawSpec& spec = job.scene.draws[d];
-    section.draws.push_back({"draw " + std::to_string(d), texture_name(job, spec.map),
-                             texture_name(job, spec.color), job.plan.draws[d].effects,
-                             warm_cycles_per_pixel(job, static_cast<int>(d))});
+    section.draws.push_back(
+        {"draw " + std::to_string(d), texture_name(job, spec.map), texture_name(job, spec.color),
+         warm_cycles_per_pixel(job, static_cast<int>(d)), job.plan.draws[d].effects});
   }
   for (const UnitTimed& model : timed) {
     const bool estimate = model.model == "loose";
