@@ -21,6 +21,8 @@ bool names(const golden::UnitScene& scene, const std::string& model) {
 std::vector<Counter> named(const reference::UnitCounters& counters) {
   std::vector<Counter> list;
   for (std::size_t i = 0; i < counters.value.size(); ++i) {
+    const bool effects = i == static_cast<std::size_t>(reference::UnitCounter::multiplies_effects);
+    if (effects && counters.value[i] == 0) continue;  // a scene without them has no row for them
     list.push_back({std::string(reference::unit_counter_names()[i]), counters.value[i]});
   }
   return list;

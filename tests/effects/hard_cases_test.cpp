@@ -101,14 +101,16 @@ TEST_F(HardCaseResult, OfNoWeightIsThePictureWithoutTheEffect) {
 
 TEST_F(HardCaseResult, OfALightBehindTheSurfaceIsBlackAndHasNoHighlight) {
   const UnitJob behind = job(named("light_behind_the_surface"));
-  for (const reference::UnitPixel& pixel : unit_pixels(behind)[0]) {
+  const auto pixels = unit_pixels(behind);
+  for (const reference::UnitPixel& pixel : pixels[0]) {
     ASSERT_EQ(pixel.rgb, (std::array<std::uint8_t, 3>{0, 0, 0}));
   }
 }
 
 TEST_F(HardCaseResult, OfZeroCoefficientsIsNormalsThatPointUp) {
   const UnitJob flat = job(named("normals_of_zero_coefficients"));
-  for (const reference::UnitPixel& pixel : unit_pixels(flat)[0]) {
+  const auto pixels = unit_pixels(flat);
+  for (const reference::UnitPixel& pixel : pixels[0]) {
     ASSERT_EQ(pixel.rgb, (std::array<std::uint8_t, 3>{128, 128, 255}));
   }
 }

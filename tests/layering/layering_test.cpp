@@ -18,6 +18,7 @@ const std::regex kOiio("OpenImageIO/.*");
 const std::regex kEigen("Eigen/.*");
 const std::regex kHighway("hwy/.*");
 const std::regex kEffects("effects/[a-z_]+\\.(h|def|inc)");  ///< written by cmake/PtmEffects.cmake
+const std::regex kPosix("dlfcn\\.h|fcntl\\.h|spawn\\.h");    ///< libraries and programs of its own
 const std::regex kSystemC("systemc|tlm|tlm_utils/.*");
 
 struct Layer {
@@ -37,8 +38,8 @@ const std::vector<Layer>& layers() {
       {"model/pipeline", {"model/pipeline", "model/reference"}, {kSystemC, kEffects}},
       {"testbench",
        {"golden", "model", "testbench"},
-       {kOiio, kEigen, kHighway, kSystemC, std::regex("CLI/.*"), std::regex("nlohmann/.*"),
-        std::regex("sqlite3\\.h"), std::regex("verilated.*|V.*\\.h")}},
+       {kOiio, kEigen, kHighway, kSystemC, kEffects, kPosix, std::regex("CLI/.*"),
+        std::regex("nlohmann/.*"), std::regex("sqlite3\\.h"), std::regex("verilated.*|V.*\\.h")}},
   };
   return all;
 }

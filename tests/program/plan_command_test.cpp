@@ -53,7 +53,7 @@ TEST_F(PlanCommand, RefusesAnUnknownEffectListingThoseThereAre) {
 }
 
 TEST_F(PlanCommand, RefusesAModulatorWithoutAHighlight) {
-  expect_refused("plan " + scene(kFresnel), "line 9");
+  expect_refused("plan " + scene(kFresnel), "line 8 (object[0].effect[0]): found fresnel");
 }
 
 TEST_F(PlanCommand, RefusesAFlatScene) {

@@ -20,7 +20,7 @@ std::string chain_of(const std::string& table, const std::string& chain) {
 }
 
 TEST(RtlEffectChain, ThatIsCommittedIsTheOneOfTheWholeTable) {
-  const std::string chain = testing::TempDir() + "ptm_effect_chain_of_all.sv";
+  const std::string chain = tests::scratch_file("effect_chain_of_all.sv");
   const std::string expected = chain_of("testbench/plan/effects.def", chain);
   EXPECT_NE(expected.find("ptm_effect_power"), std::string::npos);
   EXPECT_EQ(text_of(std::string(PTM_SOURCE_DIR) + "/rtl/effects/ptm_effect_chain.sv"), expected)
@@ -30,7 +30,7 @@ TEST(RtlEffectChain, ThatIsCommittedIsTheOneOfTheWholeTable) {
 
 /// A made-up stage, and the table's without one: lint and Yosys take the unit as it is otherwise.
 TEST(RtlEffectChain, OfAnotherTableNeedsNoChangeOfTheUnit) {
-  const std::filesystem::path folder = testing::TempDir() + "ptm_other_stages";
+  const std::filesystem::path folder = tests::scratch_file("other_stages");
   std::filesystem::create_directory(folder);
   const std::string tint = (folder / "ptm_effect_tint.sv").string();
   std::string stage = text_of(std::string(PTM_SOURCE_DIR) + "/rtl/effects/ptm_effect_add.sv");

@@ -73,7 +73,7 @@ ModuleCounts run_yosys(const std::string& script, const std::string& top, const 
 
 ModuleCounts count_operators(const Preset& preset) {
   const std::string json =
-      testing::TempDir() + "ptm_operation_count_" + std::string(preset.name) + ".json";
+      tests::scratch_file("operation_count_" + std::string(preset.name) + ".json");
   return run_yosys(yosys_script(preset.config, json), "ptm_evaluator", json);
 }
 
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Presets, RtlOperationCount, testing::ValuesIn(kPresets)
 TEST(RtlUnitOperationCount, TheBackMultipliesInLerpsCombineAndEvaluatorOnly) {
   for (const int tmus : {1, 2, 3}) {
     const std::string json =
-        testing::TempDir() + "ptm_unit_operation_count_" + std::to_string(tmus) + ".json";
+        tests::scratch_file("unit_operation_count_" + std::to_string(tmus) + ".json");
     const std::string script = read_all({"rtl/files.f", "rtl/unit.f"}) + "; chparam -set Tmus " +
                                std::to_string(tmus) + " ptm_unit_back" +
                                write_top("ptm_unit_back", json);
@@ -161,7 +161,7 @@ TEST(RtlUnitOperationCount, TheBackMultipliesInLerpsCombineAndEvaluatorOnly) {
 /// A unit built so, with that chain of stages.
 ModuleCounts count_unit(const std::string& parameters, const std::vector<std::string>& effects,
                         const std::string& top = "ptm_unit") {
-  const std::string json = testing::TempDir() + "ptm_effect_cells_" + top + ".json";
+  const std::string json = tests::scratch_file("effect_cells_" + top + ".json");
   std::string script = read_all({"rtl/files.f", "rtl/unit.f"});
   for (const std::string& file : effects) script += ' ' + file;
   if (!parameters.empty()) script += "; chparam " + parameters + ' ' + top;
@@ -182,8 +182,8 @@ constexpr const char* kEffects =
     "-set HalfVector 1 -set ExtraSets 4 -set ExtraPasses 4 -set Stages 7";
 
 TEST(RtlUnitEffectCells, AUnitWithoutEffectsIsThatOfATableWithoutStagesCellByCell) {
-  const std::string table = testing::TempDir() + "ptm_no_stages.def";
-  const std::string chain = testing::TempDir() + "ptm_no_stages.sv";
+  const std::string table = tests::scratch_file("no_stages.def");
+  const std::string chain = tests::scratch_file("no_stages.sv");
   std::ofstream(table) << "// no rows\n";
   ASSERT_EQ(tests::run_tool("cmake -D PTM_CHAIN_TABLE=" + table + " -D PTM_CHAIN=" + chain +
                             " -P cmake/EffectChain.cmake")

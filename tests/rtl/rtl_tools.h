@@ -1,5 +1,6 @@
 #pragma once
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -35,6 +36,11 @@ inline std::vector<std::string> effect_files() {
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// A file of this process alone: tests run side by side.
+inline std::string scratch_file(const std::string& name) {
+  return testing::TempDir() + std::to_string(getpid()) + "_" + name;
 }
 
 struct ToolRun {
