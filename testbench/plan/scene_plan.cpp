@@ -1,6 +1,7 @@
 #include "testbench/plan/scene_plan.h"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 
 #include "model/reference/unit/unit_beats.h"
@@ -51,6 +52,15 @@ reference::UnitFragment off_centre(bool levels_apart, int probes_log2) {
   return fragment;
 }
 
+/// Cycles that a footprint's first beat stays for its palette's look-ups, beyond the first.
+int look_ups_more(const Draw& draw, const UnitConfig& unit, const reference::Footprint& footprint) {
+  int ports = 0;
+  if (draw.format == TextureFormat::palette_lrgb) ports = unit.palette_lrgb_ports;
+  if (draw.format == TextureFormat::palette_rgb) ports = unit.palette_rgb_ports;
+  if (ports == 0 || !footprint.fetched) return 0;
+  return (std::popcount(footprint.taps()) + ports - 1) / ports - 1;
+}
+
 PixelCost pixel_cost(const reference::EvalConfig& config, const Draw& draw, const UnitConfig& unit,
                      const reference::UnitFragment& fragment) {
   reference::UnitCounters counters;
@@ -65,10 +75,7 @@ PixelCost pixel_cost(const reference::EvalConfig& config, const Draw& draw, cons
   cost.eval = counters[UnitCounter::multiplies_eval];
   cost.combine = counters[UnitCounter::multiplies_combine];
   cost.effects = counters[UnitCounter::multiplies_effects];
-  const int beats = static_cast<int>(counters[UnitCounter::beats]);
-  const int passes =
-      (draw_passes(draw) + unit.eval_lanes - 1) / unit.eval_lanes + draw.effects.passes;
-  cost.cycles = std::max(beats, passes);
+  cost.cycles = warm_cycles(draw, unit, fragment);
   return cost;
 }
 
@@ -160,6 +167,19 @@ reference::DrawEffects planned_effects(const golden::DrawSpec& spec,
   }
   effects.argument = extras.argument;
   return effects;
+}
+
+int warm_cycles(const Draw& draw, const UnitConfig& unit, const reference::UnitFragment& fragment) {
+  const int groups = (draw_words(draw) + unit.tmus - 1) / unit.tmus;
+  const int probes = 1 << fragment.probes_log2;
+  int beats = 0;
+  for (int probe = 0; probe < probes; ++probe) {
+    for (int f = 0; f < reference::footprint_count(draw, fragment); ++f) {
+      beats += groups + look_ups_more(draw, unit, make_footprint(draw, fragment, 0, probe, f));
+    }
+  }
+  const int own = (draw_passes(draw) + unit.eval_lanes - 1) / unit.eval_lanes;
+  return std::max(beats, own + draw.effects.passes);
 }
 
 ScenePlan plan_scene(const golden::UnitScene& scene, const golden::LoadedTextures& textures,

@@ -6,6 +6,7 @@
 #include "golden/scene/textures.h"
 #include "golden/scene/unit_scene.h"
 #include "model/reference/unit/draw.h"
+#include "model/reference/unit/unit_fragment.h"
 #include "model/reference/unit/unit_config.h"
 #include "model/reference/unit/unit_counters.h"
 
@@ -45,6 +46,11 @@ struct ScenePlan {
   std::vector<PlannedBlock> blocks;  ///< of effects; empty if no draw has one that needs hardware
   reference::UnitConfig unit;        ///< the scene's hardware with what its effects need built in
 };
+
+/// Cycles of one fragment whose lines are all hits and that no seam splits: docs/spec/
+/// unit-timing.md and effects.md, "Cycles per pixel".
+[[nodiscard]] int warm_cycles(const reference::Draw& draw, const reference::UnitConfig& unit,
+                              const reference::UnitFragment& fragment);
 
 /// What effects add to a draw's descriptor, but for bias and shift of its sets.
 [[nodiscard]] reference::DrawEffects planned_effects(const golden::DrawSpec& spec,

@@ -28,15 +28,19 @@ void print_costs(const EffectCosts& costs) {
     return (with < without ? "-" : "+") + grouped(with < without ? without - with : with - without);
   };
   using reference::UnitCounter;
+  for (const std::string& note : costs.notes) std::cout << "note: " << note << '\n';
   for (const EffectCost& cost : costs.costs) {
-    const reference::UnitCounters &with = costs.with.counters, &without = cost.without.counters;
-    std::cout << cost.effect << " costs "
-              << more(with[UnitCounter::cycles], without[UnitCounter::cycles]) << " cycles, "
-              << more(with[UnitCounter::words], without[UnitCounter::words]) << " words";
-    if (costs.with.cells && cost.without.cells) {
-      std::cout << ", " << more(costs.with.cells->cells, cost.without.cells->cells) << " cells";
+    const auto &with = costs.with.counters, &without = cost.without.counters;
+    std::string text;
+    if (with && without) {
+      text += more((*with)[UnitCounter::cycles], (*without)[UnitCounter::cycles]) + " cycles, " +
+              more((*with)[UnitCounter::words], (*without)[UnitCounter::words]) + " words";
     }
-    std::cout << "; it changes " << share(cost.changed) << " of all samples, RMSE "
+    if (costs.with.cells && cost.without.cells) {
+      text += (text.empty() ? "" : ", ") +
+              more(costs.with.cells->cells, cost.without.cells->cells) + " cells";
+    }
+    std::cout << cost.effect << (text.empty() ? "" : " costs " + text + "; it") << " changes " << share(cost.changed) << " of all samples, RMSE "
               << levels(cost.rmse) << " levels\n";
   }
 }
@@ -86,7 +90,7 @@ SceneRun run_unit(const RunOptions& options) {
     scene.hardware.preset_place = "--preset";
   }
   SceneRun run = run_unit_scene(scene);
-  if (options.effect_costs) run.result.costs = measure_effects(scene, run.result, say);
+  if (options.effect_costs) run.result.costs = measure_effects(scene, run, say);
   return run;
 }
 

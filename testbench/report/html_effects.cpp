@@ -20,13 +20,19 @@ std::string signed_count(std::uint64_t with, std::uint64_t without) {
 }
 
 std::string counter_cell(const EffectRun& with, const EffectRun& without, UnitCounter n) {
-  return signed_count(with.counters[n], without.counters[n]);
+  if (!with.counters || !without.counters) return "–";
+  return signed_count((*with.counters)[n], (*without.counters)[n]);
 }
 
 std::uint64_t multiplies(const reference::UnitCounters& n) {
   return n[UnitCounter::multiplies_address] + n[UnitCounter::multiplies_filter] +
          n[UnitCounter::multiplies_eval] + n[UnitCounter::multiplies_combine] +
          n[UnitCounter::multiplies_effects];
+}
+
+std::string multiplies_cell(const EffectRun& with, const EffectRun& without) {
+  if (!with.counters || !without.counters) return "–";
+  return signed_count(multiplies(*with.counters), multiplies(*without.counters));
 }
 
 std::string cell_cell(const std::optional<UnitCells>& with, const std::optional<UnitCells>& without,
@@ -53,7 +59,7 @@ void add_cost_table(std::string& page, const EffectCosts& costs) {
             {effect_head(cost), counter_cell(with, without, UnitCounter::cycles),
              counter_cell(with, without, UnitCounter::words),
              counter_cell(with, without, UnitCounter::lines_read),
-             signed_count(multiplies(with.counters), multiplies(without.counters)),
+             multiplies_cell(with, without),
              cell_cell(with.cells, without.cells, &UnitCells::cells),
              cell_cell(with.cells, without.cells, &UnitCells::multipliers),
              cell_cell(with.cells, without.cells, &UnitCells::memory_bits), share(cost.changed),
@@ -92,7 +98,7 @@ void add_time_table(std::string& page, const EffectCosts& costs) {
 }  // namespace
 
 void add_effect_costs(std::string& page, const RunResult& result) {
-  if (!result.costs || result.costs->costs.empty()) return;
+  if (!result.costs || (result.costs->costs.empty() && result.costs->notes.empty())) return;
   open_section(page, "effects", "What each effect costs");
   add_cost_table(page, *result.costs);
   add_time_table(page, *result.costs);

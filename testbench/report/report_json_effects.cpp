@@ -17,18 +17,20 @@ Json cells_json(const std::optional<UnitCells>& cells) {
 }
 
 Json run_json(const EffectRun& run) {
-  const reference::UnitCounters& n = run.counters;
+  const auto count = [&](UnitCounter n) {
+    return run.counters ? Json((*run.counters)[n]) : Json(nullptr);
+  };
   Json seconds = Json::object();
   for (const auto& [model, time] : run.seconds) seconds[model] = time;
-  return {{"cycles", n[UnitCounter::cycles]},
-          {"words", n[UnitCounter::words]},
-          {"lines_read", n[UnitCounter::lines_read]},
+  return {{"cycles", count(UnitCounter::cycles)},
+          {"words", count(UnitCounter::words)},
+          {"lines_read", count(UnitCounter::lines_read)},
           {"multiplies",
-           {{"address", n[UnitCounter::multiplies_address]},
-            {"filter", n[UnitCounter::multiplies_filter]},
-            {"eval", n[UnitCounter::multiplies_eval]},
-            {"combine", n[UnitCounter::multiplies_combine]},
-            {"effects", n[UnitCounter::multiplies_effects]}}},
+           {{"address", count(UnitCounter::multiplies_address)},
+            {"filter", count(UnitCounter::multiplies_filter)},
+            {"eval", count(UnitCounter::multiplies_eval)},
+            {"combine", count(UnitCounter::multiplies_combine)},
+            {"effects", count(UnitCounter::multiplies_effects)}}},
           {"rtl", cells_json(run.cells)},
           {"seconds", std::move(seconds)}};
 }
@@ -36,7 +38,8 @@ Json run_json(const EffectRun& run) {
 }  // namespace
 
 Json effect_costs_json(const EffectCosts& costs) {
-  Json json = {{"with", run_json(costs.with)}, {"without", Json::array()}};
+  Json json = {
+      {"with", run_json(costs.with)}, {"without", Json::array()}, {"notes", costs.notes}};
   for (const EffectCost& cost : costs.costs) {
     Json one = {{"effect", cost.effect}, {"together", cost.together}};
     one.update(run_json(cost.without));

@@ -9,6 +9,7 @@ namespace ptm::testbench {
 struct VariantBuild {
   std::string source_root;
   std::vector<std::string> options;  ///< of cmake
+  std::string compiler, generator;
   std::string tools;                 ///< names and versions
   /// The chain of this build's effect stages, then the stages; absolute.
   std::vector<std::string> effect_files;

@@ -103,11 +103,28 @@ std::string tail(const fs::path& log) {
   return text;
 }
 
-void need(const char* tool, const char* package) {
+void need(const std::string& tool, const char* package) {
   if (find_program(tool)) return;
-  throw MissingTool(std::string("this unit is not among those that come with the build, and to "
-                                "build it ") +
-                    tool + " is needed: install the package " + package);
+  throw MissingTool(
+      "this unit is not among those that come with the build, and to build it " + tool +
+      " is needed: install the package " + package);
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return;
+  throw UnusableCache(folder.string(), error.message());
+}
+
+/// What a program that was ended while it built left behind.
+void remove_leftovers(const fs::path& library) {
+  const std::string begin = library.filename().string() + ".";
+  for (const fs::directory_entry& entry : fs::directory_iterator(library.parent_path())) {
+    const bool ours = entry.path().filename().string().starts_with(begin);
+    std::error_code ignored;
+    if (ours && entry.is_directory()) fs::remove_all(entry.path(), ignored);
+  }
 }
 
 void run_tool(const std::vector<std::string>& command, const fs::path& log) {
@@ -196,10 +213,12 @@ fs::path build_variant(const reference::EvalConfig& config, const reference::Uni
   if (fs::exists(library)) return library;
   need("cmake", "cmake");
   need("verilator", "verilator");
-  need("c++", "g++");
-  fs::create_directories(library.parent_path());
+  need(variant_build().compiler, "g++");
+  if (variant_build().generator == "Ninja") need("ninja", "ninja-build");
+  make_folder(library.parent_path());
   const BuildLock lock(library.string() + ".lock");
   if (fs::exists(library)) return library;  // another program was faster
+  remove_leftovers(library);
   const std::vector<std::string> parameters = rtl_parameters(config, unit);
   if (say) say("building an RTL unit, once: " + joined(parameters, " "));
   const Workplace work(library.string() + "." + std::to_string(getpid()));

@@ -21,6 +21,14 @@ class MissingTool : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The folder for libraries cannot be made.
+class UnusableCache : public std::runtime_error {
+ public:
+  UnusableCache(const std::string& where, const std::string& why)
+      : std::runtime_error(where + ": " + why), folder(where), reason(why) {}
+  std::string folder, reason;
+};
+
 /// "Name=value" of every parameter of rtl/ptm_unit.sv.
 [[nodiscard]] std::vector<std::string> rtl_parameters(const reference::EvalConfig& config,
                                                       const reference::UnitConfig& unit);
@@ -31,7 +39,7 @@ class MissingTool : public std::runtime_error {
 
 /// Builds the library if it is not there; `say` is told before that takes its minute. Of two
 /// programs that want the same one, one waits for the other. Throws MissingTool,
-/// and std::runtime_error with the end of the tools' output if they fail.
+/// UnusableCache, and std::runtime_error with the end of the tools' output if they fail.
 std::filesystem::path build_variant(const reference::EvalConfig& config,
                                     const reference::UnitConfig& unit,
                                     const std::function<void(const std::string&)>& say = {});

@@ -13,8 +13,8 @@ namespace ptm::testbench {
 /// One drawing of the scene, with or without an effect.
 struct EffectRun {
   reference::UnitConfig unit;
-  reference::UnitCounters counters;  ///< rtl's, else pipeline's; all 0 without either
-  std::optional<UnitCells> cells;    ///< nothing without yosys
+  std::optional<reference::UnitCounters> counters;  ///< rtl's, else pipeline's
+  std::optional<UnitCells> cells;                   ///< nothing without yosys
   std::vector<std::pair<std::string, double>> seconds;  ///< by model, all frames
 };
 

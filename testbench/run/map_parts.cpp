@@ -35,7 +35,7 @@ std::vector<std::vector<std::uint8_t>> halve_bytes(const std::vector<std::uint8_
 
 PalettizedMap palettize(const quantize::RealMap& map, std::span<const std::uint8_t> color,
                         const quantize::PaletteOptions& options,
-                        const reference::EvalConfig& config) {
+                        const reference::EvalConfig& config, Strength strength) {
   const quantize::Gram gram = quantize::hemisphere_gram();
   // Beyond 1e9 no shift holds a coefficient anyway, and squares stay finite.
   std::vector<double> real(map.coef.begin(), map.coef.end());
@@ -43,7 +43,10 @@ PalettizedMap palettize(const quantize::RealMap& map, std::span<const std::uint8
   std::vector<double> coef = real, weights;
   const bool colored = map.polynomials == 1;
   if (colored) {
-    weights = quantize::color_weights(color, quantize::equalize_strength(coef, color, gram));
+    const std::vector<double> factors = strength == Strength::may_move
+                                            ? quantize::equalize_strength(coef, color, gram)
+                                            : std::vector<double>(color.size() / 3, 1.0);
+    weights = quantize::color_weights(color, factors);
   }
   const quantize::RealMap even{map.width, map.height, map.polynomials, coef};
   PalettizedMap made;

@@ -21,12 +21,19 @@ struct PalettizedMap {
   std::vector<std::uint8_t> color;  ///< [texel][3], refitted to the entries; one polynomial only
 };
 
+/// Whether a map of one polynomial and a colour may be stored as another polynomial and a colour
+/// whose product is the same. Not if the polynomial itself is asked for, as a half-vector's pass
+/// does.
+enum class Strength : std::uint8_t { may_move, stays };
+
 /// Clusters polynomials as the eye sees them and stores the entries. With one polynomial a texel,
-/// texels that differ in strength only share an entry and their colours make up for it. `color` is
+/// texels that differ in strength only share an entry and their colours make up for it, if strength
+/// may move. `color` is
 /// [texel][3] for one polynomial, empty for three. Throws what make_palette() does.
 [[nodiscard]] PalettizedMap palettize(const quantize::RealMap& map,
                                       std::span<const std::uint8_t> color,
                                       const quantize::PaletteOptions& options,
-                                      const reference::EvalConfig& config);
+                                      const reference::EvalConfig& config,
+                                      Strength strength = Strength::may_move);
 
 }  // namespace ptm::testbench

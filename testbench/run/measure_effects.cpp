@@ -77,13 +77,14 @@ std::vector<std::string> effects_of(const UnitScene& scene) {
   return names;
 }
 
-EffectRun effect_run(const RunResult& result) {
+EffectRun effect_run(const SceneRun& drawn) {
+  const RunResult& result = drawn.result;
   EffectRun run;
+  run.unit = drawn.unit;
   for (const ModelResult& model : result.models) {
     run.seconds.emplace_back(model.model, model.seconds);
   }
   if (!result.unit) return run;
-  run.unit = result.unit->config;
   for (const UnitTiming& timing : result.unit->timings) {
     if (timing.estimate) {
       run.seconds.emplace_back("loose", timing.seconds);
@@ -98,8 +99,9 @@ void add_cells(const reference::EvalConfig& config, EffectRun& run,
                std::vector<std::string>& notes) {
   try {
     run.cells = count_unit_cells(config, run.unit);
-  } catch (const MissingTool& missing) {
-    if (notes.empty()) notes.emplace_back(missing.what());
+  } catch (const std::exception& error) {  // what was drawn is not to be lost for a count
+    const std::string note = std::string("cells are not counted: ") + error.what();
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   }
 }
 
@@ -129,7 +131,7 @@ ReducedScene without_effect(const UnitScene& scene, const std::string& effect) {
   return reduced;
 }
 
-EffectCosts measure_effects(const UnitScene& scene, const RunResult& whole,
+EffectCosts measure_effects(const UnitScene& scene, const SceneRun& whole,
                             const std::function<void(const std::string&)>& say) {
   const reference::EvalConfig config = scene_eval_config(scene);
   EffectCosts costs;
@@ -138,13 +140,17 @@ EffectCosts measure_effects(const UnitScene& scene, const RunResult& whole,
   for (const std::string& effect : effects_of(scene)) {
     if (say) say("drawing the scene without " + effect);
     ReducedScene reduced = without_effect(scene, effect);
-    const SceneRun run = run_unit_scene(reduced.scene);
-    EffectCost& cost = costs.costs.emplace_back();
-    cost.effect = effect;
-    cost.together = std::move(reduced.together);
-    cost.without = effect_run(run.result);
-    add_cells(config, cost.without, costs.notes);
-    compare_pictures(whole, run.result, cost);
+    try {
+      const SceneRun run = run_unit_scene(reduced.scene);
+      EffectCost cost{effect, std::move(reduced.together), effect_run(run)};
+      add_cells(config, cost.without, costs.notes);
+      compare_pictures(whole.result, run.result, cost);
+      costs.costs.push_back(std::move(cost));
+    } catch (const golden::InputError& error) {  // legal only with the effect: a light, a palette
+      costs.notes.push_back("the scene cannot be drawn without " + effect + ", at " +
+                            error.place() + ": found " + error.found() + ", expected " +
+                            error.expected());
+    }
   }
   return costs;
 }

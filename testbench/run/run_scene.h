@@ -12,6 +12,7 @@ namespace ptm::testbench {
 /// What a run found.
 struct SceneRun {
   RunResult result;
+  reference::UnitConfig unit;  ///< of a unit scene: with what its effects have built in
   /// Pixels that pipeline and RTL let go in different cycles; nothing if one of them did not run.
   std::optional<std::uint64_t> late_pixels;
   std::vector<std::string> faults;  ///< what ended a timed model early, "model: what"

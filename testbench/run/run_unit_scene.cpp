@@ -141,6 +141,7 @@ std::vector<UnitTimed> take_timed_models(Children& children, const UnitJob& job,
 SceneRun run_unit_scene(const golden::UnitScene& scene) {
   const auto job = std::make_shared<const UnitJob>(make_unit_job(scene));
   SceneRun run;
+  run.unit = job->unit;
   RunResult& result = run.result;
   describe_scene(*job, result);
   Children children = start_timed_models(*job);

@@ -1,6 +1,7 @@
 #include "testbench/run/unit_map.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "model/quantize/gain.h"
 #include "model/quantize/mip.h"
@@ -62,6 +63,7 @@ UnitMap store_levels(const RealLevels& real, std::optional<quantize::StoredMap> 
   const quantize::Grid grid{top->bias, top->shift};
   UnitMap map;
   take_grid(grid, map);
+  map.saturated = std::accumulate(top->saturated.begin(), top->saturated.end(), std::uint64_t{0});
   for (std::size_t l = 0; l < real.levels.size(); ++l) {
     const quantize::StoredMap stored =
         l == 0 ? std::move(*top)
@@ -103,13 +105,14 @@ int full_levels(int width, int height) {
   return levels;
 }
 
-UnitMap store_unit_map(const RealTexture& texture, int levels, const EvalConfig& config) {
+UnitMap store_unit_map(const RealTexture& texture, int levels, const EvalConfig& config,
+                       Strength strength) {
   std::vector<double> coef = texture.real.coef;
   std::vector<std::uint8_t> color = texture.color;
   const bool rgb = texture.real.polynomials == 3;
   quantize::Import import{std::nullopt, "its coefficients are real"};
   if (texture.file) import = import_map(*texture.file, config);
-  if (!import.map && !rgb) {
+  if (!import.map && !rgb && strength == Strength::may_move) {
     quantize::balance_luminance(coef, color, hemisphere_lights(), config);
   }
   const std::string how = import.map ? "taken verbatim" : "quantised because " + import.why_not;
@@ -129,15 +132,15 @@ UnitMap store_unit_set(int width, int height, const std::vector<double>& coef, i
 }
 
 UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,
-                           const EvalConfig& config) {
+                           const EvalConfig& config, Strength strength) {
   UnitMap map;
   map.rgb = texture.real.polynomials == 3;
   const RealLevels real = make_levels(texture, texture.real.coef, texture.color, levels);
   const Flat flat = flatten(real);
   const int polynomials = map.rgb ? 3 : 1;
   const auto texels = static_cast<int>(flat.coef.size()) / (6 * polynomials);
-  PalettizedMap made =
-      palettize({texels, 1, polynomials, flat.coef}, flat.color, {.entries = entries}, config);
+  PalettizedMap made = palettize({texels, 1, polynomials, flat.coef}, flat.color,
+                                 {.entries = entries}, config, strength);
   take_grid({made.table.bias, made.table.shift}, map);
   map.palette = std::move(made.table.coef);
   auto index = made.palette.index.begin();

@@ -15,6 +15,9 @@ void prepare_unit_variant(const UnitJob& job) {
                         [](const std::string& what) { std::cerr << "ptmsim: " << what << '\n'; });
   } catch (const MissingTool& error) {
     throw ExitError(ExitCode::missing_tool, error.what());
+  } catch (const UnusableCache& error) {
+    throw golden::InputError(error.folder, "$PTMSIM_CACHE", error.reason,
+                             "a folder that can be written, for units that are built");
   }
 }
 

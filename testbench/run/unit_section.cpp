@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "model/reference/unit/beats.h"
+#include "testbench/plan/scene_plan.h"
 
 namespace ptm::testbench {
 namespace {
@@ -74,16 +74,11 @@ std::vector<std::string> differing_counters(const UnitTimed& a, const UnitTimed&
 
 double warm_cycles_per_pixel(const UnitJob& job, int draw) {
   const reference::Draw& d = job.state.draws[static_cast<std::size_t>(draw)];
-  const int groups = (draw_words(d) + job.unit.tmus - 1) / job.unit.tmus;
-  const int own = (draw_passes(d) + job.unit.eval_lanes - 1) / job.unit.eval_lanes;
-  const int passes = own + d.effects.passes;
   double sum = 0, count = 0;
   for (const UnitFrameInput& frame : job.frames) {
     for (const reference::UnitFragment& fragment : frame.fragments) {
       if (fragment.draw != draw) continue;
-      const int beats =
-          groups * reference::footprint_count(d, fragment) * (1 << fragment.probes_log2);
-      sum += std::max(beats, passes);
+      sum += warm_cycles(d, job.unit, fragment);
       ++count;
     }
   }

@@ -88,15 +88,16 @@ class StateBuilder {
     draw.color_lod =
         static_cast<reference::Value>(std::floor(golden::color_lod(spec, textures_) * 256 + 0.5));
     if (spec.map >= 0) {
-      const Placed map =
-          extras.sets.empty() ? place(spec.map) : place_map(spec.map, extras, draw.effects);
+      const Strength strength = strength_of(extras);
+      const Placed map = extras.sets.empty() ? place_map(spec.map, strength)
+                                             : place_sets(spec.map, strength, extras, draw.effects);
       draw.format = map.format;
       draw.map = map.levels;
       draw.bias = map.bias;
       draw.shift = map.shift;
       draw.palette = map.palette;
     }
-    if (draw.color) draw.color_texture = place(spec.color).levels;
+    if (draw.color) draw.color_texture = place_picture(spec.color);
     return draw;
   }
 
@@ -122,46 +123,89 @@ class StateBuilder {
     });
   }
 
-  const Placed& place(int index) {
-    const auto found = placed_.find(index);
-    if (found != placed_.end()) return found->second;
-    const golden::LoadedTexture& texture = textures_[static_cast<std::size_t>(index)];
-    Placed placed;
-    if (texture.is_picture()) {
-      placed.levels =
-          append_picture(picture_levels(stored_picture(texture), levels_of(index)), state_.memory);
-    } else {
-      reference::DrawEffects none;
-      placed = place_map(index, {}, none);
-    }
-    return placed_.emplace(index, placed).first->second;
+  [[nodiscard]] const golden::LoadedTexture& texture(int index) const {
+    return textures_[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] int levels_of(int index) const {
+    return needs_levels(index) ? full_levels(texture(index).width, texture(index).height) : 1;
   }
 
-  [[nodiscard]] int levels_of(int index) const {
-    const golden::LoadedTexture& texture = textures_[static_cast<std::size_t>(index)];
-    return needs_levels(index) ? full_levels(texture.width, texture.height) : 1;
+  /// A pass that evaluates the map's own polynomial wants it as it is.
+  static Strength strength_of(const golden::DrawExtras& extras) {
+    const bool own = std::any_of(extras.passes.begin(), extras.passes.end(),
+                                 [](const golden::EffectPass& pass) { return pass.set == 0; });
+    return own ? Strength::stays : Strength::may_move;
+  }
+
+  reference::TextureLevels place_picture(int index) {
+    const auto found = pictures_.find(index);
+    if (found != pictures_.end()) return found->second;
+    const auto levels = append_picture(
+        picture_levels(stored_picture(texture(index)), levels_of(index)), state_.memory);
+    return pictures_.emplace(index, levels).first->second;
+  }
+
+  Placed place_map(int index, Strength strength) {
+    const auto found = placed_.find({index, strength});
+    if (found != placed_.end()) return found->second;
+    return placed_.emplace(std::pair(index, strength), append(index, strength, {})).first->second;
   }
 
   /// A map with the coefficient sets of a draw's effects in one array of lines; their bias and
   /// shift go into the draw.
-  Placed place_map(int index, const golden::DrawExtras& extras, reference::DrawEffects& effects) {
-    const golden::LoadedTexture& texture = textures_[static_cast<std::size_t>(index)];
-    const int levels = levels_of(index);
+  Placed place_sets(int index, Strength strength, const golden::DrawExtras& extras,
+                    reference::DrawEffects& effects) {
     std::vector<reference::StoredSet> sets;
     for (std::size_t s = 0; s < extras.sets.size(); ++s) {
-      UnitMap set = store_unit_set(texture.width, texture.height, extras.sets[s], levels, config_);
+      UnitMap set = store_unit_set(texture(index).width, texture(index).height, extras.sets[s],
+                                   levels_of(index), config_);
       effects.bias[s] = set.bias;
       effects.shift[s] = set.shift;
+      note_saturation(texture(index).name + ", set " + std::to_string(s + 1), set);
       sets.push_back(std::move(set.levels));
     }
-    if (scene_.textures[static_cast<std::size_t>(index)].palette != 0) {
-      return place_palette(index, texture, levels, sets);
-    }
-    const UnitMap map = store_unit_map(real_texture(texture), levels, config_);
-    Placed placed = placed_map(map, map.rgb ? TextureFormat::rgb : TextureFormat::lrgb);
-    placed.levels = append_map(config_, map.levels, sets, state_.memory);
-    notes_.push_back("texture " + texture.name + ": " + map.how);
+    return append(index, strength, sets);
+  }
+
+  /// The lines of a map that is stored, and quantised once however many draws have it.
+  Placed append(int index, Strength strength, std::span<const reference::StoredSet> sets) {
+    const Held& held = hold(index, strength);
+    Placed placed = held.placed;
+    placed.levels = held.map.indexed.empty()
+                        ? append_map(config_, held.map.levels, sets, state_.memory)
+                        : append_palette_map(config_, held.map.indexed, sets, state_.memory);
     return placed;
+  }
+
+  /// A map as it is stored, before it has lines.
+  struct Held {
+    UnitMap map;
+    Placed placed;
+  };
+
+  const Held& hold(int index, Strength strength) {
+    const auto found = held_.find({index, strength});
+    if (found != held_.end()) return found->second;
+    Held held;
+    if (scene_.textures[static_cast<std::size_t>(index)].palette != 0) {
+      held = hold_palette(index, strength);
+    } else {
+      held.map = store_unit_map(real_texture(texture(index)), levels_of(index), config_, strength);
+      held.placed = placed_map(held.map, held.map.rgb ? TextureFormat::rgb : TextureFormat::lrgb);
+    }
+    notes_.push_back("texture " + texture(index).name + ": " + held.map.how);
+    note_saturation(texture(index).name, held.map);
+    return held_.emplace(std::pair(index, strength), std::move(held)).first->second;
+  }
+
+  /// Outliers saturate as a matter of course; a thousandth of all coefficients is a loss.
+  void note_saturation(const std::string& name, const UnitMap& map) {
+    if (map.levels.empty()) return;
+    const std::size_t all = map.levels[0].coef.size();
+    if (map.saturated * 1000 < all) return;
+    notes_.push_back("texture " + name + ": " + std::to_string(map.saturated) + " of " +
+                     std::to_string(all) +
+                     " coefficients are beyond what the hardware holds and were limited");
   }
 
   static Placed placed_map(const UnitMap& map, TextureFormat format) {
@@ -172,29 +216,29 @@ class StateBuilder {
     return placed;
   }
 
-  Placed place_palette(int index, const golden::LoadedTexture& texture, int levels,
-                       const std::vector<reference::StoredSet>& sets) {
+  Held hold_palette(int index, Strength strength) {
     const golden::TextureSpec& spec = scene_.textures[static_cast<std::size_t>(index)];
-    const bool rgb = texture.polynomials == 3;
+    const bool rgb = texture(index).polynomials == 3;
     const int most = rgb ? kEntriesRgb : kEntriesLrgb;
     const int entries = spec.palette == golden::kFullPalette ? most : spec.palette;
     if (entries > most) {
       refuse(spec, std::to_string(entries) + " palette entries",
              rgb ? "at most 4096 for an RGB map" : "at most 256 for an LRGB map");
     }
-    const UnitMap map = store_unit_palette(real_texture(texture), levels, entries, config_);
-    Placed placed = placed_map(map, rgb ? TextureFormat::palette_rgb : TextureFormat::palette_lrgb);
+    Held held;
+    held.map = store_unit_palette(real_texture(texture(index)), levels_of(index), entries, config_,
+                                  strength);
+    held.placed =
+        placed_map(held.map, rgb ? TextureFormat::palette_rgb : TextureFormat::palette_lrgb);
     if (rgb) {
       if (!state_.palettes.rgb.empty()) refuse(spec, "a second RGB palette", "at most one");
-      set_rgb_palette(config_, map.palette, state_.palettes);
+      set_rgb_palette(config_, held.map.palette, state_.palettes);
     } else {
       if (palettes_ == kPalettesLrgb) refuse(spec, "a fifth LRGB palette", "at most four");
-      placed.palette = static_cast<int>(palettes_++);
-      append_lrgb_palette(config_, map.palette, placed.palette, state_.palettes);
+      held.placed.palette = static_cast<int>(palettes_++);
+      append_lrgb_palette(config_, held.map.palette, held.placed.palette, state_.palettes);
     }
-    placed.levels = append_palette_map(config_, map.indexed, sets, state_.memory);
-    notes_.push_back("texture " + texture.name + ": " + map.how);
-    return placed;
+    return held;
   }
 
   [[noreturn]] void refuse(const golden::TextureSpec& spec, const std::string& found,
@@ -216,7 +260,9 @@ class StateBuilder {
   const EvalConfig& config_;
   std::vector<std::string>& notes_;
   reference::UnitState state_;
-  std::map<int, Placed> placed_;
+  std::map<std::pair<int, Strength>, Placed> placed_;  ///< without sets
+  std::map<std::pair<int, Strength>, Held> held_;
+  std::map<int, reference::TextureLevels> pictures_;
   std::size_t palettes_ = 0;
 };
 

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "golden/render/unit_picture.h"
+#include "model/quantize/gram.h"
 #include "model/reference/unit/shade.h"
 #include "testbench/run/unit_job.h"
 
@@ -43,6 +45,44 @@ class DerivedBound {
              static_cast<std::size_t>(at.i0);
   }
 
+  /// Why what the hardware evaluates is not what golden does but for rounding to the bits that
+  /// there are: empty if it is. Light codes lie within half a code of the light; stored
+  /// coefficients are those to which the nearest-plane rule rounds the real ones, or are the last
+  /// of the grid; colours are the texel's own. So a wrong texel, plane, grid or light is found
+  /// here.
+  [[nodiscard]] std::string wrong_input() const {
+    if (spec_.map < 0) return {};
+    const bool half = std::any_of(extras_.passes.begin(), extras_.passes.end(),
+                                  [](const auto& pass) { return pass.half; });
+    if (!is_code(fragment_.lu, sample_.light_vertex[0]) ||
+        !is_code(fragment_.lv, sample_.light_vertex[1])) {
+      return "the light's code";
+    }
+    if (half && (!is_code(fragment_.hu, sample_.half_vertex[0]) ||
+                 !is_code(fragment_.hv, sample_.half_vertex[1]))) {
+      return "the half-vector's code";
+    }
+    const golden::LoadedTexture& map = job_.textures[static_cast<std::size_t>(spec_.map)];
+    const auto polynomials = static_cast<std::size_t>(map.polynomials);
+    for (std::size_t p = 0; p < polynomials; ++p) {
+      if (!is_rounded(&map.coef[(texel_ * polynomials + p) * 6], 6 * p, draw_.bias, draw_.shift)) {
+        return "polynomial " + std::to_string(p);
+      }
+    }
+    for (std::size_t s = 0; s < extras_.sets.size(); ++s) {
+      if (!is_rounded(&extras_.sets[s][texel_ * 6], 26 + 6 * s, draw_.effects.bias[s],
+                      draw_.effects.shift[s])) {
+        return "set " + std::to_string(s);
+      }
+    }
+    for (std::size_t c = 0; polynomials == 1 && c < 3; ++c) {
+      if (trace_.filtered[reference::kMapColorField + c] != map.color[texel_ * 3 + c]) {
+        return "the colour";
+      }
+    }
+    return {};
+  }
+
   /// Where channel c of the hardware's pixel lies.
   [[nodiscard]] Interval channel(std::size_t c) const {
     Interval out = combined(c);
@@ -54,6 +94,34 @@ class DerivedBound {
   }
 
  private:
+  [[nodiscard]] bool is_code(std::int32_t code, double light) const {
+    return std::abs(std::ldexp(code, -config_.light_frac) - light) <=
+           std::ldexp(1.0, -config_.light_frac - 1) + 1e-12;
+  }
+
+  /// docs/spec/quantize.md, the nearest-plane rule, from a5 down to a0. A coefficient at an end of
+  /// its grid may lie beyond it.
+  [[nodiscard]] bool is_rounded(const double* real, std::size_t first,
+                                const reference::Six<reference::Value>& bias,
+                                const reference::Six<reference::Value>& shift) const {
+    static const quantize::Gram r = quantize::gram_factor(quantize::hemisphere_gram());
+    const std::array<double, 6> held = stored(first, bias, shift);
+    const reference::Value last = (1 << config_.coef_bits) - 1;
+    for (Eigen::Index i = 5; i >= 0; --i) {
+      const auto n = static_cast<std::size_t>(i);
+      double target = real[n];
+      for (Eigen::Index j = i + 1; j < 6; ++j) {
+        const auto m = static_cast<std::size_t>(j);
+        target -= r(i, j) / r(i, i) * (held[m] - real[m]);
+      }
+      const double grain = std::ldexp(1.0, -static_cast<int>(shift[n]));
+      const reference::Value code = trace_.filtered[first + n];
+      const bool low = code == 0 && target < held[n], high = code == last && target > held[n];
+      if (!low && !high && std::abs(held[n] - target) > grain / 2 + 1e-9) return false;
+    }
+    return true;
+  }
+
   /// The most that one rounding to a unit errs.
   [[nodiscard]] double step(double unit) const {
     return config_.rounding == reference::Rounding::nearest ? unit / 2 : unit;

@@ -23,6 +23,8 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const std::string& scene : effect_scene_names()) {
     for (const char* preset : {"base", "wide"}) all.push_back({scene, preset});
+    // paper8 has no code for these scenes' lights, and moves luminance into colour elsewhere.
+    if (scene == "effect_half_vector") all.push_back({scene, "paper8"});
   }
   return all;
 }
@@ -59,6 +61,7 @@ TEST_P(EffectAccuracy, LiesWithinTheBoundDerivedFromTheBits) {
       const reference::UnitFragment& fragment = frame.fragments[i];
       const golden::SurfaceSample sample = at_fragment(frame.samples[i], fragment);
       const DerivedBound bound(job, sample, fragment);
+      ASSERT_EQ(bound.wrong_input(), "") << "(" << sample.x << ", " << sample.y << ")";
       const golden::Rgb right = renderer.shade(sample, sample.light_vertex, sample.half_vertex);
       const reference::UnitPixel pixel = reference::shade(job.config, job.state, fragment);
       for (std::size_t c = 0; c < 3; ++c) {
