@@ -112,6 +112,8 @@ TEST_F(EffectScene, RefusesEffectsThatTheirObjectsDoNotAllow) {
   const std::string shiny = effect(kind("half-vector"));
   refused(plane("rgb") + shiny, "half-vector: an RGB map");
   refused("[[object]]\nkind = \"plane\"\ncolor = \"c\"\n" + shiny, "half-vector: no map");
+  refused("[[object]]\nkind = \"plane\"\ncolor = \"c\"\n" + effect(kind("light-extrapolation")),
+          "light-extrapolation: no map");
   refused(plane("m") + effect(kind("specular-enhancement")) + shiny, "a second specular term");
   for (const std::string modulator :
        {"modulated-specular\"\nmap = \"m", "off-specular", "fresnel", "anisotropic"}) {
