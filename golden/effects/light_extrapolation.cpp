@@ -5,6 +5,10 @@
 namespace ptm::golden {
 namespace {
 
+void prepare(const EffectSpec& spec, EffectDraw& draw) {
+  if (!draw.map()) fail_effect(spec, draw, "no map", "an object with 'texture'");
+}
+
 void scale_light(const EffectSpec& spec, int, std::array<double, 2>& light, bool&) {
   const double gain = effect_number(spec, "gain");
   for (double& part : light) part *= gain;
@@ -18,6 +22,7 @@ const Effect& light_extrapolation_effect() {
       .id = "light_extrapolation",
       .name = "light-extrapolation",
       .keys = {{.name = "gain", .low = 0.001, .high = 1000, .standard = {1.5}}},
+      .prepare = prepare,
       .light = scale_light};
   return effect;
 }

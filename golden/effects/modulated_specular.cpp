@@ -20,9 +20,29 @@ std::vector<double> radiated(const LoadedTexture& map, std::size_t channel) {
   return set;
 }
 
+/// The other map's texels are sets of the draw's: sampled as its map is, and not palettised. What
+/// its texture says otherwise would mean nothing.
+void check_sampling(const EffectSpec& spec, const EffectDraw& draw, std::size_t gloss) {
+  const TextureSpec& said = draw.scene.textures.at(gloss);
+  const DrawSpec& is = draw.draw;
+  const auto refuse_other = [&](const auto& value, const auto& of_draw, const char* key) {
+    if (!value || *value == of_draw) return;
+    fail_effect(spec, draw, "'" + said.name + "' with another " + key + " than the object's map",
+                "the map's: both are sampled as one");
+  };
+  refuse_other(said.wrap_u, is.wrap_u, "wrap_u");
+  refuse_other(said.wrap_v, is.wrap_v, "wrap_v");
+  refuse_other(said.filter, is.filter, "filter");
+  refuse_other(said.probes, is.probes, "probes");
+  if (said.palette != 0 && static_cast<int>(gloss) != is.map) {
+    fail_effect(spec, draw, "'" + said.name + "' with a palette",
+                "a map without: what multiplies is stored texel by texel");
+  }
+}
+
 void prepare(const EffectSpec& spec, EffectDraw& draw) {
-  const LoadedTexture& gloss =
-      draw.textures.at(static_cast<std::size_t>(effect_number(spec, "map")));
+  const auto index = static_cast<std::size_t>(effect_number(spec, "map"));
+  const LoadedTexture& gloss = draw.textures.at(index);
   if (gloss.is_picture()) fail_effect(spec, draw, "'" + gloss.name + "', a plain picture", "a map");
   const LoadedTexture* map = draw.map();
   if (!map) fail_effect(spec, draw, "no map", "an object with 'texture'");
@@ -33,6 +53,7 @@ void prepare(const EffectSpec& spec, EffectDraw& draw) {
                 "the size of '" + map->name + "', " + std::to_string(map->width) + " x " +
                     std::to_string(map->height));
   }
+  check_sampling(spec, draw, index);
   Modulator modulator;
   for (std::size_t c = 0; c < 3; ++c) modulator.polynomials.push_back(radiated(gloss, c));
   auto& sets = modulator.polynomials;

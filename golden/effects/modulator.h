@@ -15,7 +15,8 @@ struct DrawExtras;
 struct Modulator {
   int channels = 1;      ///< 1, or 3: red, green, blue
   bool uniform = false;  ///< the same at every texel
-  /// At a light (lu, lv) of the closed unit disc: 0 none of the term, 1 all of it.
+  /// At a light (lu, lv) of the closed unit disc: 0 none of the term, 1 all of it. Called from
+  /// several threads at once.
   std::function<double(std::size_t texel, int channel, double lu, double lv)> value;
   /// Where it is a polynomial anyway: [channels][texels][6], a0 first, 255 levels for 1.
   std::vector<std::vector<double>> polynomials{};
@@ -35,6 +36,7 @@ void add_modulator(const EffectSpec& spec, EffectDraw& draw, Modulator modulator
 ///     a = argmin of the integral over the disc of (255 product of the factors - L(a))^2 dlu dlv
 ///
 /// by kRings x kSpokes lights of equal areas. A lone factor that is a polynomial is taken as it is.
+/// Runs on all cores; the result does not depend on their number.
 void finish_modulators(EffectDraw& draw);
 inline constexpr int kRings = 16, kSpokes = 16;
 

@@ -61,12 +61,16 @@ LocalLight local_light(const LightSpec& light, const SurfacePoint& point, double
   return {{l.x(), l.y()}, l.z() > 0};
 }
 
-/// Between light and camera, in the point's frame; what is too short to have a direction is (0, 0).
+/// Between light and camera, unit vectors in the point's frame; what is too short to have a
+/// direction is (0, 0).
 std::array<double, 2> local_half(const LightSpec& light, const Camera& camera,
                                  const SurfacePoint& point, double side) {
   const Frame frame = frame_at(point, side);
   Vec3 l = light.vector;
   if (light.kind == LightKind::local) {
+    const double across = std::hypot(l.x(), l.y());
+    // Beyond the disc no direction has these parts: the one on the horizon that leans the same way.
+    if (across > 1) l /= across;
     l.z() = std::sqrt(std::max(0.0, 1 - l.x() * l.x() - l.y() * l.y()));
   } else {
     l = toward_light(light, point.position);

@@ -48,9 +48,10 @@ struct SurfaceSample {
 ///
 /// **Half-vector** (section 3.5), in the same frame, if an effect of the draw asks for it: H = (L +
 /// V) / |L + V|, V the unit vector toward the camera (against the view for an orthographic one), L
-/// toward the scene's light, whatever effects make of it; a local light's third part is sqrt(max(0,
-/// 1 - lu^2 - lv^2)). Opposite vectors have no half: (0, 0), as if it stood on the surface.
-/// half_vertex interpolates it as light_vertex does. Effects then change light and light_vertex.
+/// the unit vector toward the scene's light, whatever effects make of it; a local light's third
+/// part is sqrt(1 - lu^2 - lv^2), and one beyond the disc is taken from the horizon: (lu, lv, 0) /
+/// |(lu, lv)|. Opposite vectors have no half: (0, 0), as if it stood on the surface. half_vertex
+/// interpolates it as light_vertex does. Effects then change light and light_vertex.
 ///
 /// Runs on all cores; the result does not depend on their number. Throws InputError from a mesh's
 /// file. `frame` is a light's index (std::out_of_range).

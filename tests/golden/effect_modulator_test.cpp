@@ -1,4 +1,7 @@
 // What the specular term is multiplied by (section 3.7), against the equations written down again.
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -156,6 +159,46 @@ TEST_F(Effects, StoreTheProductOfSeveralModulatorsAsOne) {
     EXPECT_GE(channel, 0);
     EXPECT_LE(channel, plain);
   }
+}
+
+TEST_F(Effects, FitEveryTexelsProductByItself) {
+  // Not square, so that a row is no column. A gray factor of each texel times a coloured one of
+  // all.
+  const std::string base =
+      "[[texture]]\nname = \"m\"\ngenerate = \"metal\"\nsize = [24, 10]\n"
+      "[[texture]]\nname = \"g\"\ngenerate = \"gloss\"\nsize = [24, 10]\n" +
+      kSquare + effect("specular-enhancement");
+  prepare(base + effect("fresnel") + local(0.3, 0.5));
+  const std::vector<std::vector<double>> gold = extras_[0].sets;
+  prepare(base + effect("modulated-specular", "map = \"g\"\n") + effect("fresnel") +
+          local(0.3, 0.5));
+  ASSERT_EQ(extras_[0].sets.size(), 4U);
+  double least = 255, most = 0;
+  for (std::size_t t = 0; t < 240; ++t) {
+    const double gloss = textures_[1].color[t * 3] * textures_[1].coef[t * 6 + 5] / 255;
+    least = std::min(least, gloss);
+    most = std::max(most, gloss);
+    for (std::size_t s = 1; s < 4; ++s) {
+      for (std::size_t k = t * 6; k < t * 6 + 6; ++k) {
+        ASSERT_NEAR(extras_[0].sets[s][k], gold[s][k] * gloss / 255, 1e-9) << s << " " << t;
+      }
+    }
+  }
+  EXPECT_GT(most, least + 50) << "texels differ";
+}
+
+TEST_F(Effects, FitTheSameProductOnOneThreadAndOnMany) {
+  const std::string text = "[[texture]]\nname = \"m\"\ngenerate = \"metal\"\nsize = [48, 64]\n" +
+                           kSquare + effect("specular-enhancement") + effect("fresnel") +
+                           effect("anisotropic") + local(0.3, 0.5);
+  // More than the machine may have.
+  const tbb::global_control most(tbb::global_control::max_allowed_parallelism, 8);
+  tbb::task_arena(8).execute([&] { prepare(text); });
+  const DrawExtras many = extras_[0];
+  tbb::task_arena(1).execute([&] { prepare(text); });
+  EXPECT_EQ(extras_[0].sets, many.sets);
+  EXPECT_EQ(extras_[0].residual.rms, many.residual.rms);
+  EXPECT_EQ(extras_[0].residual.max, many.residual.max);
 }
 
 }  // namespace

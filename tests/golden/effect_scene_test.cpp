@@ -112,6 +112,8 @@ TEST_F(EffectScene, RefusesEffectsThatTheirObjectsDoNotAllow) {
   const std::string shiny = effect(kind("half-vector"));
   refused(plane("rgb") + shiny, "half-vector: an RGB map");
   refused("[[object]]\nkind = \"plane\"\ncolor = \"c\"\n" + shiny, "half-vector: no map");
+  refused("[[object]]\nkind = \"plane\"\ncolor = \"c\"\n" + effect(kind("light-extrapolation")),
+          "light-extrapolation: no map");
   refused(plane("m") + effect(kind("specular-enhancement")) + shiny, "a second specular term");
   for (const std::string modulator :
        {"modulated-specular\"\nmap = \"m", "off-specular", "fresnel", "anisotropic"}) {
@@ -129,6 +131,29 @@ TEST_F(EffectScene, RefusesEffectsThatTheirObjectsDoNotAllow) {
           "another effect");
   refused(plane("rgb") + effect(kind("time") + "\ncoordinates = [[0, 0], [1, 0]]"),
           "2 pairs of coordinates");
+}
+
+TEST_F(EffectScene, RefusesAGlossMapWhoseTextureSaysAnotherSamplingThanTheMaps) {
+  const auto said = [&](const std::string& map, const std::string& gloss) {
+    return refusal(kMap + map + "[[texture]]\nname = \"g\"\ngenerate = \"gloss\"\nsize = [8, 4]\n" +
+                   gloss + plane("m") + effect(kind("half-vector")) +
+                   effect(kind("modulated-specular") + "\nmap = \"g\"") + kLight);
+  };
+  const std::string sampling = "wrap = \"clamp\"\nfilter = \"trilinear\"\nprobes = 4\n";
+  EXPECT_EQ(said(sampling, ""), "nothing");
+  EXPECT_EQ(said(sampling, sampling), "nothing");
+  EXPECT_EQ(said("palette = 16\n", ""), "nothing");
+  const auto refused = [&](const std::string& map, const std::string& gloss,
+                           const std::string& found) {
+    const std::string refusal = said(map, gloss);
+    EXPECT_NE(refusal.find("'g' with " + found), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("(object[0].effect[1])"), std::string::npos) << refusal;
+  };
+  refused("", "wrap_u = \"clamp\"\n", "another wrap_u");
+  refused("", "wrap_v = \"mirror\"\n", "another wrap_v");
+  refused(sampling, "filter = \"bilinear\"\n", "another filter");
+  refused(sampling, "probes = 1\n", "another probes");
+  refused("palette = 16\n", "palette = 16\n", "a palette");
 }
 
 TEST_F(EffectScene, RefusesPatternsAsWhatTheyCannotBe) {

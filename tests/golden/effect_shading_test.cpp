@@ -60,9 +60,19 @@ TEST_F(Effects, HaveNoHalfVectorWhereNoneAsksAndZeroWhereThereIsNone) {
     EXPECT_NEAR(s.half[0], std::sqrt(0.5), 1e-12);
     EXPECT_TRUE(std::isfinite(shaded(s)[0]));
   }
-  // Beyond the disc the third part is 0, and H is a direction still.
-  prepare(kDark + kSquare + effect("half-vector") + local(3, 4));
-  for (const SurfaceSample& s : samples_) EXPECT_LE(std::hypot(s.half[0], s.half[1]), 1 + 1e-12);
+}
+
+TEST_F(Effects, HalveTheAngleToTheHorizonWhereTheLightLiesBeyondTheDisc) {
+  // V is the normal, so H leans 45 degrees whatever the length of (lu, lv).
+  for (const double length : {1.0, 1.25, 1.9, 50.0}) {
+    prepare(kDark + kSquare + effect("half-vector") + local(0.6 * length, -0.8 * length));
+    for (const SurfaceSample& s : samples_) {
+      EXPECT_NEAR(s.half[0], 0.6 * std::sqrt(0.5), 1e-7) << length;
+      EXPECT_NEAR(s.half[1], -0.8 * std::sqrt(0.5), 1e-7) << length;
+      EXPECT_NEAR(s.half_vertex[1], s.half[1], 1e-12);
+      EXPECT_NEAR(s.light[0], 0.6 * length, 1e-5) << "the map is lit from where the scene says";
+    }
+  }
 }
 
 TEST_F(Effects, AddTheSpecularTermOfTheMapsOwnPolynomial) {
