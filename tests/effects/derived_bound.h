@@ -94,7 +94,12 @@ class DerivedBound {
   }
 
  private:
+  /// The nearest code, or the last one for a light up to the limit that has none of its own.
   [[nodiscard]] bool is_code(std::int32_t code, double light) const {
+    const std::int32_t last = (1 << (config_.light_int - 1 + config_.light_frac)) - 1;
+    if (std::abs(code) == last && std::abs(light) <= std::ldexp(1.0, config_.light_int - 1)) {
+      return light * code > 0 && std::abs(light) > std::ldexp(last - 0.5, -config_.light_frac);
+    }
     return std::abs(std::ldexp(code, -config_.light_frac) - light) <=
            std::ldexp(1.0, -config_.light_frac - 1) + 1e-12;
   }
@@ -180,7 +185,8 @@ class DerivedBound {
       const double held_color =
           static_cast<double>(trace_.filtered[reference::kMapColorField + c]) / 255;
       right *= color;
-      held = std::max(held, 0.0) * held_color;
+      const double top = std::ldexp(1.0, config_.lum_bits) - unit(config_.lum_frac);  // D6's
+      held = std::clamp(held, 0.0, top) * held_color;
       error = l.error * held_color + step(1) + step(1) / 255;
     }
     const double most = std::abs(clamped(right) - clamped(held)) + error;

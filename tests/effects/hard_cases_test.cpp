@@ -115,6 +115,19 @@ TEST_F(HardCaseResult, OfZeroCoefficientsIsNormalsThatPointUp) {
   }
 }
 
+/// What is stored as a shape and a strength must not take the strength from N . H.
+TEST_F(HardCaseResult, OfAPaletteIsTheHighlightOfTheMapItself) {
+  HardCase metal{"", "generate = \"metal\"\n", highlight("ks = 1\nexponent = 20")};
+  const auto plain = unit_pixels(job(metal));
+  metal.texture += "palette = true\n";
+  const auto palettised = unit_pixels(job(metal));
+  for (std::size_t i = 0; i < plain[0].size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      ASSERT_LE(std::abs(plain[0][i].rgb[c] - palettised[0][i].rgb[c]), 1) << "pixel " << i;
+    }
+  }
+}
+
 TEST_F(HardCaseResult, OfALightBeyondTheLastCodeIsRefused) {
   HardCase beyond = named("extrapolated_to_the_last_code");
   beyond.effects = effect("light-extrapolation", "gain = 2.01");

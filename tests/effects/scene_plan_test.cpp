@@ -75,5 +75,42 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PlannedScenes,
                                          "plane_trilinear", "combine_decal"),
                          [](const auto& scene) { return scene.param; });
 
+/// Cycles of n copies of a fragment, by the timing exact.
+std::uint64_t cycles_of(UnitJob job, const reference::UnitFragment& fragment, std::size_t n) {
+  job.frames.resize(1);
+  job.frames[0].fragments.assign(n, fragment);
+  job.timing = {};
+  job.scene.draw_twice = false;
+  ChildProcess child = start_unit_model(job, "pipeline");
+  return total_counters(take_unit_model(child, "pipeline"))[reference::UnitCounter::cycles];
+}
+
+class WarmCycles : public testing::TestWithParam<std::string> {};
+
+TEST_P(WarmCycles, AreWhatEachFurtherCopyOfAFragmentCosts) {
+  const UnitJob job = load_unit_scene(GetParam());
+  constexpr std::size_t kCopies = 50;
+  std::vector<bool> tried(job.state.draws.size());
+  for (const reference::UnitFragment& fragment : job.frames[0].fragments) {
+    const reference::Draw& draw = job.state.draws[fragment.draw];
+    reference::UnitCounters n;
+    count_fragment(draw, fragment, job.unit, n, job.config);
+    if (tried[fragment.draw] || n[reference::UnitCounter::bank_conflicts] > 0) continue;
+    tried[fragment.draw] = true;
+    const std::uint64_t once = cycles_of(job, fragment, kCopies),
+                        twice = cycles_of(job, fragment, 2 * kCopies);
+    EXPECT_EQ(twice - once,
+              kCopies * static_cast<std::uint64_t>(warm_cycles(draw, job.unit, fragment)))
+        << "draw " << int{fragment.draw};
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, WarmCycles,
+                         testing::Values("sphere", "effect_all", "effect_fresnel", "palette_rgb",
+                                         "palette_lrgb", "palettes_two", "palette_rgb_probes",
+                                         "plane_trilinear", "combine_rgb_one_tmu",
+                                         "small_unit_rgb"),
+                         [](const auto& scene) { return scene.param; });
+
 }  // namespace
 }  // namespace ptm::testbench

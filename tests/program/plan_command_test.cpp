@@ -87,6 +87,24 @@ TEST_F(PlanCommand, AndRunAgreeOnWhatAHighlightCosts) {
             std::string::npos);
 }
 
+TEST_F(PlanCommand, AndItsPriceSurviveASceneThatIsNoLegalOneWithoutAnEffect) {
+  const std::string path =
+      tests::quoted(write("day.toml",
+                          "[[texture]]\nname = \"m\"\ngenerate = \"tide\"\nsize = [8, 8]\n"
+                          "[[object]]\nkind = \"plane\"\ntexture = \"m\"\n"
+                          "[[object.effect]]\nkind = \"time\"\ncoordinates = [0.5, 0]\n"
+                          "[[light]]\ndirection = [3, 0]\n"));
+  const auto outcome = run("run " + path + " --cost-of-effects --out " +
+                           tests::quoted(file("report")) + " --models golden,reference");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json costs = json::parse(tests::text_of(file("report") / "report.json")).at("effects");
+  EXPECT_EQ(costs.at("without"), json::array());
+  EXPECT_NE(costs.at("notes").dump().find("the scene cannot be drawn without time, at line 12"),
+            std::string::npos)
+      << costs.at("notes");
+  EXPECT_TRUE(costs.at("with").at("cycles").is_null()) << "no model of time ran";
+}
+
 TEST_F(PlanCommand, OfASceneWithoutEffectsLeavesNoTraceInTheReport) {
   const auto outcome = run("run " + scene("") + " --out " + tests::quoted(file("report")) +
                            " --models reference,pipeline");
