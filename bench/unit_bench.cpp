@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -77,54 +78,62 @@ Frame frame_of(double seconds, const ptm::reference::UnitCounters& c) {
   return {seconds, c[UnitCounter::fragments], c[UnitCounter::cycles], c[UnitCounter::lines_read]};
 }
 
-Frame bench_loose(const UnitState& state, const std::vector<UnitFragment>& fragments) {
-  Frame best;
-  for (int round = 0; round < 4; ++round) {
-    constexpr int kFrames = 10;
-    const double begin = cpu_seconds();
-    ptm::pipeline::UnitEstimate estimate;
-    for (int frame = 0; frame < kFrames; ++frame) {
-      estimate = ptm::pipeline::estimate_texture_unit({}, state, {fragments},
-                                                      ptm::pipeline::FixedMemory{}, kTile);
-    }
-    report("loose",
-           {(cpu_seconds() - begin) / kFrames, estimate.fragments, estimate.cycles,
-            estimate.lines_read},
-           best);
+Frame time_loose(const UnitState& state, const std::vector<UnitFragment>& fragments) {
+  constexpr int kFrames = 10;
+  const double begin = cpu_seconds();
+  ptm::pipeline::UnitEstimate estimate;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    estimate = ptm::pipeline::estimate_texture_unit({}, state, {fragments},
+                                                    ptm::pipeline::FixedMemory{}, kTile);
   }
-  return best;
+  return {(cpu_seconds() - begin) / kFrames, estimate.fragments, estimate.cycles,
+          estimate.lines_read};
 }
 
-Frame bench_exact(const UnitState& state, const std::vector<UnitFragment>& fragments) {
-  constexpr std::size_t kFrames = 6;
-  Frame best;
+/// The Verilated unit, one thread; its harness is in what is timed, the load of the state is not.
+class Rtl {
+ public:
+  explicit Rtl(UnitState state) {
+    state.memory.resize(kMapLines);
+    unit_->load(state);
+  }
+  Frame time(const std::vector<UnitFragment>& fragments) {
+    const double begin = cpu_seconds();
+    const UnitFrameResult result = unit_->run({fragments}, *memory_, {});
+    return frame_of(cpu_seconds() - begin, result.counters);
+  }
+
+ private:
+  std::unique_ptr<ptm::testbench::RtlUnit> unit_ =
+      ptm::testbench::make_rtl_unit(ptm::reference::kBase, {});
+  std::unique_ptr<ptm::pipeline::MemoryTiming> memory_ =
+      ptm::pipeline::make_memory(ptm::pipeline::FixedMemory{});
+};
+
+struct Best {
+  Frame loose, exact, rtl;
+};
+
+/// Each in turn, round after round, so that a machine whose speed swings is fair to all three.
+/// SystemC elaborates once a process: the rounds are the frames of one simulation.
+Best bench(const UnitState& state, const std::vector<UnitFragment>& fragments) {
+  constexpr std::size_t kRounds = 6;
+  Best best;
+  Rtl rtl(state);
   UnitSimulation simulation;
   simulation.state = &state;
   double begin = 0;
-  simulation.frames.count = kFrames;
+  simulation.frames.count = kRounds;
   simulation.frames.make = [&](std::size_t) {
     begin = cpu_seconds();
     return ptm::pipeline::UnitFrame{fragments};
   };
   simulation.frames.take = [&](std::size_t, UnitFrameResult&& result) {
-    report("exact", frame_of(cpu_seconds() - begin, result.counters), best);
+    report("exact", frame_of(cpu_seconds() - begin, result.counters), best.exact);
+    report("loose", time_loose(state, fragments), best.loose);
+    report("RTL", rtl.time(fragments), best.rtl);
   };
   ptm::pipeline::simulate_texture_unit(simulation);
-  return best;
-}
-
-/// The Verilated unit, one thread; its harness is in what is timed, the load of the state is not.
-Frame bench_rtl(UnitState state, const std::vector<UnitFragment>& fragments, int frames) {
-  state.memory.resize(kMapLines);
-  const auto unit = ptm::testbench::make_rtl_unit(ptm::reference::kBase, {});
-  unit->load(state);
-  const auto memory = ptm::pipeline::make_memory(ptm::pipeline::FixedMemory{});
-  Frame best;
-  for (int frame = 0; frame < frames; ++frame) {
-    const double begin = cpu_seconds();
-    const UnitFrameResult result = unit->run({fragments}, *memory, {});
-    report("RTL", frame_of(cpu_seconds() - begin, result.counters), best);
-  }
   return best;
 }
 
@@ -135,12 +144,11 @@ int main(int argc, char** argv) {
   const UnitState state = plane_state();
   const auto fragments = plane_fragments();
   if (argc > 1 && std::string_view(argv[1]) == "rtl") {
-    bench_rtl(state, fragments, 1);
+    Frame best;
+    report("RTL", Rtl(state).time(fragments), best);
     return 0;
   }
-  const Frame loose = bench_loose(state, fragments);
-  const Frame exact = bench_exact(state, fragments);
-  const Frame rtl = bench_rtl(state, fragments, 4);
+  const auto [loose, exact, rtl] = bench(state, fragments);
   std::printf(
       "best, processor time a frame: RTL %.3g cycles/s; RTL : exact %.1f, RTL : loose %.0f\n",
       static_cast<double>(rtl.cycles) / rtl.seconds, rtl.seconds / exact.seconds,
