@@ -40,8 +40,11 @@ void print_costs(const EffectCosts& costs) {
       text += (text.empty() ? "" : ", ") +
               more(costs.with.cells->cells, cost.without.cells->cells) + " cells";
     }
-    std::cout << cost.effect << (text.empty() ? "" : " costs " + text + "; it") << " changes " << share(cost.changed) << " of all samples, RMSE "
-              << levels(cost.rmse) << " levels\n";
+    std::string who = cost.effect;
+    for (const std::string& other : cost.together) who += " and with it " + other;
+    std::cout << who << (text.empty() ? "" : " costs " + text + "; it") << " changes "
+              << share(cost.changed) << " of all samples, RMSE " << levels(cost.rmse)
+              << " levels\n";
   }
 }
 
