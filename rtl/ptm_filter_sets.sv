@@ -40,14 +40,7 @@ module ptm_filter_sets #(
   input  logic [2:0]              set_i,         // 0: anything, s: set s - 1
   output logic [6*StoredW-1:0]    coef_o
 );
-  // Lane of field i of TMU t's word
-  function automatic int lane(input int t, input int i);
-    lane = t == 0 ? i : Lanes0 + 4 * (t - 1) + i;
-  endfunction
-  // The beat brings word w on TMU t
-  function automatic logic brings(input logic [GroupBits-1:0] group, input int w, input int t);
-    brings = w % Tmus == t && group == GroupBits'(w / Tmus);
-  endfunction
+  `include "ptm_filter_words.svh"
   // The beat brings word j of the sets' on TMU t
   function automatic logic brings_set(input logic [2:0] format, input logic color,
                                       input logic [GroupBits-1:0] group, input int j, input int t);

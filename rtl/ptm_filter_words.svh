@@ -1,0 +1,21 @@
+// Where the words of a draw come by, and the lanes that take their fields: docs/spec/unit.md, Steps.
+// For inside a module of the filter: they read its Tmus, Lanes0 and GroupBits.
+
+// Lane of field i of TMU t's word
+function automatic int lane(input int t, input int i);
+  lane = t == 0 ? i : Lanes0 + 4 * (t - 1) + i;
+endfunction
+// The beat brings word w on TMU t
+function automatic logic brings(input logic [GroupBits-1:0] group, input int w, input int t);
+  brings = w % Tmus == t && group == GroupBits'(w / Tmus);
+endfunction
+// The beat brings the colour texture on TMU t: the word behind the map's planes
+function automatic logic brings_color(input logic [2:0] format,
+                                      input logic [GroupBits-1:0] group, input int t);
+  case (format)
+    ptm_unit_pkg::FormatNone: brings_color = brings(group, 0, t);
+    ptm_unit_pkg::FormatLrgb: brings_color = brings(group, 3, t);
+    ptm_unit_pkg::FormatRgb:  brings_color = brings(group, 6, t);
+    default:                  brings_color = brings(group, 1, t);
+  endcase
+endfunction
