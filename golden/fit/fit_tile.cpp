@@ -211,17 +211,14 @@ class TileFitter {
       std::fill_n(color, 3, std::uint8_t{0});
       return 0;
     }
-    if (options_.color == ColorRule::least_squares) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        color[c] = to_byte(most * sums_.product[c][t] / sums_.squares[t]);
-      }
-      return 255 / most;
-    }
-    const double lights = static_cast<double>(lights_), mean = sums_.sum[t] / lights;
-    const auto of = [&](std::size_t c) { return sums_.average[c][t] / lights; };
-    const double k = std::min(most / mean, 255 / std::max({of(0), of(1), of(2)}));
-    for (std::size_t c = 0; c < 3; ++c) color[c] = to_byte(k * of(c));
-    return 255 / (k * mean);
+    const bool average = options_.color == ColorRule::average;
+    const auto& sums = average ? sums_.average : sums_.product;
+    const double of_luminance = average ? sums_.sum[t] : sums_.squares[t];
+    const double brightest = 255 * of_luminance / std::max({sums[0][t], sums[1][t], sums[2][t]});
+    double k = brightest;
+    if (options_.full_range == FullRange::luminance) k = average ? std::min(most, brightest) : most;
+    for (std::size_t c = 0; c < 3; ++c) color[c] = to_byte(k * sums[c][t] / of_luminance);
+    return 255 / k;
   }
 
   /// Cr and Cb of the average photograph (JFIF 1.02).

@@ -15,10 +15,18 @@ enum class ColorRule : std::uint8_t {
   average         ///< the hue of the photographs' average
 };
 
+/// Colour times luminance says only what their product is; this says which of the two is as large
+/// as its byte allows, texel by texel.
+enum class FullRange : std::uint8_t {
+  color,     ///< the brightest channel is 255: rounding the colour costs least
+  luminance  ///< HP's: the brightest luminance of the photographs is 255
+};
+
 struct FitOptions {
   MapKind kind = MapKind::lrgb;
   ColorRule color = ColorRule::least_squares;  ///< lrgb only
   int robust_passes = 0;                       ///< reweighted passes; 0 is plain least squares
+  FullRange full_range = FullRange::color;     ///< lrgb only
   bool truncate_color = false;                 ///< lrgb only: as HP's fitter does, not rounded
 };
 
@@ -31,10 +39,11 @@ inline constexpr std::array<double, 3> kLumaWeights{0.2125, 0.7154, 0.0721};
 
 /// Fits some texels: docs/spec/fit.md, F2 to F5. The formulas, with y_i the luminance of light i:
 ///
-///     lrgb   a = 255 * inverse * y / max y
-///            least_squares: color = 255 clamp(max y * sum_i rgb_i y_i / (255 sum_i y_i^2), 0, 1)
-///            average:       color = k mean rgb, a = 255 inverse * y / (k mean y), where k makes
-///                           the brightest channel of the colour 255 or max y / mean y, if less
+///     lrgb   color = clamp(k c, 0, 255),  a = 255 inverse * y / k
+///            least_squares: c = sum_i rgb_i y_i / sum_i y_i^2
+///            average:       c = mean rgb / mean y
+///            full range of color:     k = 255 / max c
+///            full range of luminance: k = max y, for average 255 / max c if that is less
 ///     rgb    a_c = inverse * c                     for each channel c
 ///     lum    a   = inverse * Y,  Cr and Cb the photographs' averages
 ///

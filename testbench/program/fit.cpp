@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct FitArguments {
   FitJob job;
-  std::string format = "lrgb", color = "least-squares", preset = "base", region, table;
+  std::string format = "lrgb", color = "least-squares", preset = "base", full_range, region, table;
   std::size_t memory_mib = 256;
   bool json = false;
 };
@@ -39,6 +39,18 @@ golden::Region parse_region(const std::string& text) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+/// HP's recipe has luminance fill its range; what it truncates would miss 255 otherwise.
+golden::FullRange full_range(const FitArguments& arguments) {
+  const bool hp = arguments.job.quantizer == "hp";
+  if (hp && arguments.full_range == "color") {
+    throw ExitError(ExitCode::usage,
+                    "--full-range color and --quantizer hp exclude each other: in HP's recipe it "
+                    "is the luminance that fills its range");
+  }
+  return hp || arguments.full_range == "luminance" ? golden::FullRange::luminance
+                                                   : golden::FullRange::color;
+}
+
 FitJob make_job(const FitArguments& arguments) {
   FitJob job = arguments.job;
   using golden::MapKind;
@@ -48,6 +60,7 @@ FitJob make_job(const FitArguments& arguments) {
   job.fit.color =
       arguments.color == "average" ? golden::ColorRule::average : golden::ColorRule::least_squares;
   job.fit.truncate_color = job.quantizer == "hp";
+  job.fit.full_range = full_range(arguments);
   job.config = reference::find_preset(arguments.preset).config;
   job.memory = arguments.memory_mib << 20;
   if (!arguments.region.empty()) job.capture.region = parse_region(arguments.region);
@@ -212,6 +225,11 @@ void add_fit_options(CLI::App& command, FitArguments& a) {
   command.add_option("--color", a.color, "how an LRGB map's colour is found")
       ->check(CLI::IsMember({"least-squares", "average"}))
       ->capture_default_str();
+  command
+      .add_option("--full-range", a.full_range,
+                  "what of an LRGB texel fills its byte: its colour's brightest channel (default), "
+                  "or its brightest luminance (as HP's fitter did; default of --quantizer hp)")
+      ->check(CLI::IsMember({"color", "luminance"}));
   command
       .add_option("--robust", a.job.fit.robust_passes,
                   "reweighted passes against highlights and shadows")

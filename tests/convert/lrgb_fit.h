@@ -17,7 +17,7 @@ struct LrgbFit {
   std::vector<std::uint8_t> color;  ///< [height][width][3]
 };
 
-inline LrgbFit fit_lrgb(const std::filesystem::path& lp) {
+inline LrgbFit fit_lrgb(const std::filesystem::path& lp, const golden::FitOptions& options = {}) {
   golden::CaptureRequest request;
   request.source = lp;
   golden::Capture capture = golden::open_capture(request);
@@ -28,7 +28,7 @@ inline LrgbFit fit_lrgb(const std::filesystem::path& lp) {
   LrgbFit fit{capture.region.width, capture.region.height, {}, {}};
   fit.coef.resize(band.texels * 6);
   fit.color.resize(band.texels * 3);
-  golden::fit_tile(band.tile(0, band.texels, 0), golden::solve_lights(capture.directions), {},
+  golden::fit_tile(band.tile(0, band.texels, 0), golden::solve_lights(capture.directions), options,
                    fit.coef, fit.color);
   return fit;
 }

@@ -18,7 +18,8 @@ using tests::ScratchFolder;
 constexpr int kWidth = 5, kHeight = 4, kTexels = kWidth * kHeight;
 
 /// Photographs under nine lights near the zenith of a surface that goes on brightening to the
-/// horizon: LRGB's 255 is the brightest photograph, so lights beyond exceed it.
+/// horizon: with full range of luminance 255 is the brightest photograph, so lights beyond exceed
+/// it.
 std::filesystem::path slanted_capture(const ScratchFolder& folder) {
   std::string text;
   for (const double u : {-0.4, 0.0, 0.4}) {
@@ -39,10 +40,12 @@ std::filesystem::path slanted_capture(const ScratchFolder& folder) {
 
 FitOutcome fit(const ScratchFolder& folder, const reference::EvalConfig& config,
                golden::MapKind kind = golden::MapKind::lrgb, const std::string& quantizer = "plain",
-               std::size_t memory = std::size_t{1} << 28) {
+               std::size_t memory = std::size_t{1} << 28,
+               golden::FullRange full_range = golden::FullRange::luminance) {
   FitJob job;
   job.capture.source = slanted_capture(folder);
   job.fit.kind = kind;
+  job.fit.full_range = full_range;
   job.out = folder / "map.ptm";
   job.config = config;
   job.quantizer = quantizer;
@@ -108,6 +111,15 @@ TEST(FitBalance, LeavesMapsAloneThatHaveRoomOrNoColourToMoveInto) {
   const FitOutcome hp = fit(folder, reference::kPaper8, golden::MapKind::lrgb, "hp");
   EXPECT_EQ(hp.balance.exceeding, 0U);
   EXPECT_GT(highest(golden::read_ptm(folder / "map.ptm").map), 290);  // so the others had to move
+}
+
+TEST(FitBalance, HasNothingToDoWhereColourFillsItsRange) {
+  const ScratchFolder folder;
+  const FitOutcome outcome = fit(folder, reference::kPaper8, golden::MapKind::lrgb, "plain",
+                                 std::size_t{1} << 28, golden::FullRange::color);
+  EXPECT_EQ(outcome.balance.exceeding, 0U);
+  // The last texel's red: 79 + 45 u - 20 v, whose slope is 49.2.
+  EXPECT_NEAR(highest(golden::read_ptm(folder / "map.ptm").map), 79 + 49.2, 2);
 }
 
 }  // namespace

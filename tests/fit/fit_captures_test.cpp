@@ -113,6 +113,22 @@ TEST(RealCaptures, TheDefaultMapBeatsTheOneThatHpsFitterMade) {
   EXPECT_GT(ours, 49.1);
 }
 
+TEST(RealCaptures, AreNearerWhereColourFillsItsRangeThanWhereLuminanceDoes) {
+  const ScratchFolder folder;
+  const std::pair<const char*, double> cases[] = {
+      {"icon/dirs.lp", 0.25}, {"dome/Dome/dirs.lp", 0.9}, {"reference_8x5/reference_8x5.lp", 0.05}};
+  for (const auto& [name, gain] : cases) {
+    PTM_SHARED_DATA_OR_SKIP(lp, name);
+    FitJob job = job_for(lp, folder, MapKind::lrgb);
+    const double color = run_fit(job).training.stored.psnr_db;
+    job.fit.full_range = golden::FullRange::luminance;
+    const double luminance = run_fit(job).training.stored.psnr_db;
+    std::printf("%s, LRGB: full range of luminance %.3f dB / of colour %.3f dB\n", name, luminance,
+                color);
+    EXPECT_GT(color, luminance + gain) << name;
+  }
+}
+
 TEST(RealCaptures, HpsRecipeMakesHpsFile) {
   const ScratchFolder folder;
   PTM_SHARED_DATA_OR_SKIP(lp, "reference_8x5/reference_8x5.lp");
@@ -120,6 +136,7 @@ TEST(RealCaptures, HpsRecipeMakesHpsFile) {
   FitJob job = job_for(lp, folder, MapKind::lrgb);
   job.quantizer = "hp";
   job.fit.truncate_color = true;
+  job.fit.full_range = golden::FullRange::luminance;
   (void)run_fit(job);
   const auto ours = golden::read_ptm(job.out).map;
   EXPECT_EQ(ours.scale, theirs.scale);

@@ -1,4 +1,5 @@
 // The commands synthesize and fit, run as a user runs them.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -52,6 +53,38 @@ TEST_F(FitCommand, NearestPlaneBeatsPlainAgainstTheRealFit) {
     rms[nearest] = nlohmann::json::parse(fitted.out).at("quantization_rms");
   }
   EXPECT_LT(rms[1], 0.9 * rms[0]);
+}
+
+TEST_F(FitCommand, FillsTheRangeOfColourUnlessAskedForThatOfLuminance) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run("synthesize --size 32 --lights 20 --out " + quoted(folder / "c")).code, 0);
+  const std::string fit =
+      "fit " + quoted(folder / "c/capture.lp") + " --out " + quoted(folder / "map.ptm");
+  const auto share_of_full_colours = [&](const std::string& options) {
+    const Outcome fitted = run(fit + options);
+    EXPECT_EQ(fitted.code, 0) << fitted.err;
+    const golden::PtmMap map = golden::read_ptm(folder / "map.ptm").map;
+    std::size_t full = 0;
+    for (std::size_t t = 0; t < map.texels(); ++t) {
+      full += std::max({map.color[t * 3], map.color[t * 3 + 1], map.color[t * 3 + 2]}) == 255;
+    }
+    return static_cast<double>(full) / static_cast<double>(map.texels());
+  };
+  EXPECT_EQ(share_of_full_colours(""), 1);
+  EXPECT_EQ(share_of_full_colours(" --full-range color"), 1);
+  EXPECT_LT(share_of_full_colours(" --full-range luminance"), 0.5);
+  EXPECT_LT(share_of_full_colours(" --quantizer hp"), 0.5);
+}
+
+TEST_F(FitCommand, RefusesFullColourInHpsRecipe) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run("synthesize --size 16 --lights 8 --out " + quoted(folder / "c")).code, 0);
+  const Outcome fitted = run("fit " + quoted(folder / "c/capture.lp") + " --out " +
+                             quoted(folder / "map.ptm") + " --quantizer hp --full-range color");
+  EXPECT_EQ(fitted.code, 2);
+  EXPECT_NE(fitted.err.find("--full-range color and --quantizer hp"), std::string::npos)
+      << fitted.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "map.ptm"));
 }
 
 TEST_F(FitCommand, SaysSoWhenTheLightsLeaveThePolynomialOpen) {

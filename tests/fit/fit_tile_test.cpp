@@ -46,14 +46,39 @@ TEST(FitTile, RecoversExactPolynomialsAndTheirColour) {
   const auto truth = bright_polynomials(lit);
   const std::array<double, 3> rgb{200, 120, 40};
   lit.light(truth, rgb);
-  const Fit made = fit(lit);
-  for (std::size_t t = 0; t < truth.size(); ++t) {
-    for (std::size_t i = 0; i < 6; ++i) {
-      ASSERT_NEAR(made.coef[t * 6 + i], truth[t][static_cast<Eigen::Index>(i)], kFloatError);
+  for (const ColorRule rule : {ColorRule::least_squares, ColorRule::average}) {
+    for (const FullRange full : {FullRange::luminance, FullRange::color}) {
+      const Fit made = fit(lit, {.color = rule, .full_range = full});
+      const double k = full == FullRange::color ? 255.0 / 200 : 1;
+      for (std::size_t t = 0; t < truth.size(); ++t) {
+        for (std::size_t i = 0; i < 6; ++i) {
+          ASSERT_NEAR(made.coef[t * 6 + i], truth[t][static_cast<Eigen::Index>(i)] / k,
+                      kFloatError);
+        }
+        for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(made.color[t * 3 + c], std::round(k * rgb[c]));
+      }
+      EXPECT_LT(rmse(lit, made, MapKind::lrgb), kFloatError);
     }
-    for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(made.color[t * 3 + c], rgb[c]);
   }
-  EXPECT_LT(rmse(lit, made, MapKind::lrgb), kFloatError);
+}
+
+TEST(FitTile, NeedNotClampAColourThatIsBrighterThanItsLuminance) {
+  // A red thing with white highlights: where the brightest luminance is 255, the red of the
+  // least-squares colour would have to be 338.
+  MadePhotographs lit(12, 3);
+  for (std::size_t i = 0; i < 12; ++i) {
+    for (std::size_t t = 0; t < 3; ++t) {
+      lit.at(i, 0, t) = i % 4 == 0 ? 200.0F : 250.0F;
+      lit.at(i, 1, t) = lit.at(i, 2, t) = i % 4 == 0 ? 200.0F : 30.0F;
+    }
+  }
+  const Fit clamped = fit(lit, {.full_range = FullRange::luminance});
+  const Fit made = fit(lit);
+  EXPECT_EQ(clamped.color[0], 255);
+  EXPECT_EQ(clamped.color[1], 163);
+  EXPECT_EQ(made.color[0], 255);
+  EXPECT_EQ(made.color[1], 123);
+  EXPECT_LT(rmse(lit, made, MapKind::lrgb), rmse(lit, clamped, MapKind::lrgb) - 1);
 }
 
 TEST(FitTile, RecoversEachChannelOfAnRgbMapWithAnyNumberOfLights) {
@@ -102,11 +127,16 @@ TEST(FitTile, GivesTheAverageColourTheWholeRangeOfAByte) {
   const auto truth = bright_polynomials(lit);
   lit.light(truth, {80, 40, 20});
   const Fit made = fit(lit, {.color = ColorRule::average});
+  const Fit bright = fit(lit, {.color = ColorRule::average, .full_range = FullRange::luminance});
   for (std::size_t t = 0; t < lit.texels; ++t) {
-    EXPECT_NEAR(made.color[t * 3], 80, 1);  // brightest photograph over the average one
-    EXPECT_NEAR(made.color[t * 3 + 1], 40, 1);
+    EXPECT_EQ(made.color[t * 3], 255);
+    EXPECT_NEAR(made.color[t * 3 + 1], 127.5, 0.6);
+    EXPECT_NEAR(bright.color[t * 3], 80, 1);  // brightest photograph over the average one
+    EXPECT_NEAR(bright.color[t * 3 + 1], 40, 1);
   }
-  EXPECT_LT(rmse(lit, made, MapKind::lrgb), 0.5);  // a colour rounded to a byte
+  // A colour rounded to a byte: half a level at luminance 80, or at 255.
+  EXPECT_LT(rmse(lit, made, MapKind::lrgb), 0.5 * 80 / 255);
+  EXPECT_LT(rmse(lit, bright, MapKind::lrgb), 0.5);
 }
 
 TEST(FitTile, GivesBlackAndZeroForATexelThatIsNeverLit) {
