@@ -2,8 +2,6 @@
 
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,42 +10,22 @@
 #include "testbench/rtl/command.h"
 #include "testbench/rtl/variant_build.h"
 #include "testbench/rtl/variant_cache.h"
+#include "testbench/rtl/yosys.h"
 
 namespace ptm::testbench {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a list, as seen from the root.
-std::string sources(const char* list) {
-  std::ifstream file(fs::path(variant_build().source_root) / list);
-  std::string text;
-  for (std::string line; std::getline(file, line);) {
-    if (!line.empty() && line.rfind("//", 0) != 0) text += " " + line;
-  }
-  return text;
-}
-
-/// Yosys 0.23 reads no negative decimal.
-std::string hex(int value) {
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "32'h%08x", static_cast<unsigned>(value));
-  return text.data();
-}
-
-/// The stages of effects and their chain.
-std::string effect_sources() {
-  std::string text;
-  for (const std::string& file : variant_build().effect_files) text += " \"" + file + "\"";
-  return text;
-}
-
 std::string script(const std::vector<std::string>& parameters) {
-  std::string text = "read_verilog -sv -Irtl" + sources("rtl/files.f") + sources("rtl/unit.f") +
-                     effect_sources() + "; chparam";
+  std::vector<std::string> files = rtl_sources("rtl/files.f");
+  for (const std::string& file : rtl_sources("rtl/unit.f")) files.push_back(file);
+  for (const std::string& file : variant_build().effect_files) files.push_back(file);
+  std::string text = read_verilog(files) + "; chparam";
   for (const std::string& parameter : parameters) {
     const std::size_t at = parameter.find('=');
-    text += " -set " + parameter.substr(0, at) + " " + hex(std::stoi(parameter.substr(at + 1)));
+    text += " -set " + parameter.substr(0, at) + " " +
+            yosys_integer(std::stoi(parameter.substr(at + 1)));
   }
   return text + " ptm_unit; hierarchy -check -top ptm_unit; proc; opt_clean; stat";
 }

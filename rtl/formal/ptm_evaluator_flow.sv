@@ -1,0 +1,114 @@
+// What goes into ptm_evaluator leaves it eight cycles later as ptm_evaluator_steps makes it, beat
+// after beat, an RGB map's three passes as one pixel.
+//
+// Cycle 0 is reset; from then on a beat comes in every cycle, its operands free, and every pixel is
+// taken at once. In cycle 11 the pixel whose last beat came in cycle 3 is due, with two beats
+// before it and eight behind it in the unit. Registers hold anything when reset begins. That a
+// stalled register keeps its beat whole is not claimed here (docs/verification/proofs.md).
+module ptm_evaluator_flow #(
+  parameter int RgbMap       = 0,  // 1: three passes a pixel
+  parameter int CoefBits     = 8,
+  parameter int DeltaBits    = 9,
+  parameter int LightInt     = 2,
+  parameter int LightFrac    = 8,
+  parameter int BasisFrac    = 8,
+  parameter int Guard        = 4,
+  parameter int RoundNearest = 1,
+  parameter int LumBits      = 10,
+  parameter int LumFrac      = 0,
+  parameter int ShiftMin     = -4,
+  parameter int ShiftGroups  = 6,
+  parameter int FilterFrac   = 0,
+  localparam int SidebandBits = 4,
+  localparam int StoredW = ptm_pkg::stored_bits(CoefBits, FilterFrac),
+  localparam int LightW  = ptm_pkg::light_bits(LightInt, LightFrac),
+  localparam int RgbW    = ptm_pkg::rgb_bits(FilterFrac),
+  localparam int LumW    = ptm_pkg::lum_bits(LumBits, LumFrac)
+) (
+  input  logic                            clk_i,
+  input  logic [6*StoredW-1:0]            coef_i,
+  input  logic [6*CoefBits-1:0]           bias_i,
+  input  logic [6*ptm_pkg::ShiftBits-1:0] shift_i,
+  input  logic [3*RgbW-1:0]               rgb_i,
+  input  logic signed [LightW-1:0]        lu_i,
+  input  logic signed [LightW-1:0]        lv_i,
+  input  logic [SidebandBits-1:0]         sideband_i,
+  output logic                            differ_o  // in cycle 11
+);
+  localparam int Latency = 8, Due = 11;
+
+  logic [3:0] cycle_q = 4'd0;
+  always_ff @(posedge clk_i) cycle_q <= cycle_q + 4'd1;
+
+  // Cycle 1, 2, 3: channel 0, 1, 2
+  logic       running;
+  logic [1:0] channel;
+  assign running = cycle_q != 4'd0;
+  assign channel = RgbMap == 0 ? 2'd0 : 2'((cycle_q + 4'd2) % 4'd3);
+
+  logic                    ready, valid, lum_saturated, color_saturated;
+  logic [3*LumW-1:0]       lum;
+  logic [23:0]             rgb;
+  logic [SidebandBits-1:0] sideband;
+  ptm_evaluator #(
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .SidebandBits(SidebandBits)
+  ) u_evaluator (
+    .clk_i(clk_i), .rst_ni(running), .valid_i(running), .ready_o(ready), .coef_i(coef_i),
+    .bias_i(bias_i), .shift_i(shift_i), .rgb_i(rgb_i), .lu_i(lu_i), .lv_i(lv_i),
+    .rgb_map_i(RgbMap != 0), .channel_i(channel), .sideband_i(sideband_i), .valid_o(valid),
+    .ready_i(1'b1), .lum_o(lum), .lum_saturated_o(lum_saturated), .rgb_o(rgb),
+    .color_saturated_o(color_saturated), .sideband_o(sideband)
+  );
+
+  typedef struct packed {
+    logic [LumW-1:0]         lum;
+    logic                    lum_saturated;
+    logic [23:0]             rgb;
+    logic                    color_saturated;
+    logic [SidebandBits-1:0] sideband;
+  } beat_t;
+  beat_t beat;
+  ptm_evaluator_steps #(
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac)
+  ) u_steps (
+    .coef_i(coef_i), .bias_i(bias_i), .shift_i(shift_i), .rgb_i(rgb_i), .lu_i(lu_i), .lv_i(lv_i),
+    .rgb_map_i(RgbMap != 0), .lum_o(beat.lum), .lum_saturated_o(beat.lum_saturated),
+    .rgb_o(beat.rgb), .color_saturated_o(beat.color_saturated)
+  );
+  assign beat.sideband = sideband_i;
+
+  // The beats of the last eight to ten cycles
+  logic [(Latency+2)*$bits(beat)-1:0] beats_q;
+  always_ff @(posedge clk_i) beats_q <= {beats_q[(Latency+1)*$bits(beat)-1:0], beat};
+  beat_t last, middle, first;
+  assign last   = beats_q[(Latency-1)*$bits(beat) +: $bits(beat)];
+  assign middle = beats_q[Latency*$bits(beat) +: $bits(beat)];
+  assign first  = beats_q[(Latency+1)*$bits(beat) +: $bits(beat)];
+
+  logic [3*LumW-1:0] due_lum;
+  logic [23:0]       due_rgb;
+  logic              due_lum_saturated, due_color_saturated;
+  if (RgbMap != 0) begin : gen_rgb
+    assign due_lum = {last.lum, middle.lum, first.lum};
+    assign due_rgb = {last.rgb[23:16], middle.rgb[15:8], first.rgb[7:0]};
+    assign due_lum_saturated =
+        last.lum_saturated || middle.lum_saturated || first.lum_saturated;
+    assign due_color_saturated =
+        last.color_saturated || middle.color_saturated || first.color_saturated;
+  end else begin : gen_lrgb
+    assign due_lum             = {3{last.lum}};
+    assign due_rgb             = last.rgb;
+    assign due_lum_saturated   = last.lum_saturated;
+    assign due_color_saturated = last.color_saturated;
+  end
+
+  assign differ_o = cycle_q == 4'(Due)
+      && (!ready || !valid || lum != due_lum || rgb != due_rgb
+          || lum_saturated != due_lum_saturated || color_saturated != due_color_saturated
+          || sideband != last.sideband);
+endmodule
