@@ -14,6 +14,7 @@
 #include "golden/files/ptm_file.h"
 #include "testbench/program/commands.h"
 #include "testbench/run/hardware_map.h"
+#include "testbench/run/map_bound.h"
 
 namespace ptm::testbench {
 namespace {
@@ -79,15 +80,23 @@ Json plane_rows(const golden::PtmFile& file) {
   return rows;
 }
 
-/// What each preset makes of the map: whether it takes the file's integers as they stand, and, of
-/// an lrgb map, how many texels' luminance it cannot hold under some light of the hemisphere.
+/// What each preset makes of the map: whether it takes the file's integers as they stand, of an
+/// lrgb map how many texels' luminance it cannot hold under some light of the hemisphere, and, if
+/// both are well, how far a lit channel may be off at most.
 Json preset_rows(const golden::PtmMap& map) {
   Json rows = Json::array();
   for (const reference::Preset& preset : reference::kPresets) {
     const quantize::Import import = import_map(map, preset.config);
     Json row{{"preset", preset.name}, {"verbatim", import.map.has_value()}};
+    std::size_t beyond = 0;
     if (map.kind == golden::MapKind::lrgb) {
-      row["luminance_beyond"] = quantizer_input(map, preset.config).balance.exceeding;
+      beyond = quantizer_input(map, preset.config).balance.exceeding;
+      row["luminance_beyond"] = beyond;
+    }
+    row["levels_off_at_most"] = nullptr;
+    if (import.map && beyond == 0) {
+      const auto bounds = texel_error_bounds(map, *import.map, preset.config);
+      row["levels_off_at_most"] = *std::max_element(bounds.begin(), bounds.end());
     }
     row["why_not"] = import.why_not;
     rows.push_back(row);
@@ -148,7 +157,7 @@ void print_table(const Json& rows) {
   std::cout << '\n';
   for (const Json& row : rows) {
     for (const auto& [key, value] : row.items()) {
-      cell(value.is_string() ? value.get<std::string>() : value.dump());
+      cell(value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump());
     }
     std::cout << '\n';
   }

@@ -120,5 +120,33 @@ TEST_F(ConvertCommand, InfoTellsWhichPresetTakesTheMapVerbatimAndWhyOthersDoNot)
   EXPECT_EQ(rows[1]["luminance_beyond"], 0);
 }
 
+TEST_F(ConvertCommand, InfoBoundsTheErrorOfMapsThatAPresetHoldsAsTheyAre) {
+  // Flat texels: a5 = 100 under any light, colour 255. No bit of it is dropped before D7.
+  golden::PtmMap map = smooth_map(MapKind::lrgb, 2, 1);
+  map.scale.fill(1);
+  map.bias.fill(0);
+  std::fill(map.coef.begin(), map.coef.end(), std::uint8_t{0});
+  std::fill(map.color.begin(), map.color.end(), std::uint8_t{255});
+  map.coef[5] = map.coef[11] = 100;
+  const auto bounds = [&] {
+    golden::write_ptm(folder / "in.ptm", map);
+    const Outcome outcome = run_program(folder / "log", "info --json " + quoted(folder / "in.ptm"));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<Json> column;
+    const Json rows = Json::parse(outcome.out)["presets"];
+    for (const Json& row : rows) {
+      column.push_back(row["levels_off_at_most"]);
+    }
+    return column;
+  };
+  // paper8 truncates: a level in D7. base: D6 to whole levels and D7, half each. wide: D6 to 16ths.
+  EXPECT_EQ(bounds(), (std::vector<Json>{1.0, 1.0, 0.5 / 16 + 0.5 + 0.5 / 255}));
+  map.coef[5] = 250;  // with a slope paper8's luminance of eight bits is not enough
+  map.coef[3] = 50;
+  const auto steep = bounds();
+  EXPECT_TRUE(steep[0].is_null());
+  EXPECT_GT(steep[1].get<double>(), 1.0);
+}
+
 }  // namespace
 }  // namespace ptm::tests

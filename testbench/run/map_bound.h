@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "golden/files/ptm_map.h"
+#include "model/quantize/maps.h"
+#include "model/reference/eval_config.h"
+
+namespace ptm::testbench {
+
+/// For each texel, how far at most the hardware's lit channels lie from golden's unrounded ones,
+/// in levels, under any light of the unit disc: error_bound() of its polynomials, an LRGB texel's
+/// times its brightest channel.
+///
+/// Holds for a map that is stored verbatim (else what storing changed comes on top) and whose
+/// luminance the hardware can hold (quantizer_input() counts the texels for which it cannot).
+[[nodiscard]] std::vector<double> texel_error_bounds(const golden::PtmMap& map,
+                                                     const quantize::StoredMap& stored,
+                                                     const reference::EvalConfig& config);
+
+}  // namespace ptm::testbench
