@@ -91,87 +91,78 @@ std::string Netlist::verilog(const std::string& module) const {
          "  assign known = " + known_ + ";\nendmodule\n";
 }
 
-Symbolic operator+(const Symbolic& a, const Symbolic& b) {
-  return Netlist::make(
-      Netlist::owner(a, b),
-      checked(Wide{a.range_.low} + b.range_.low, Wide{a.range_.high} + b.range_.high),
-      Netlist::text(a) + " + " + Netlist::text(b));
+Symbolic Netlist::add(const Symbolic& a, const Symbolic& b) {
+  return make(owner(a, b),
+              checked(Wide{a.range_.low} + b.range_.low, Wide{a.range_.high} + b.range_.high),
+              text(a) + " + " + text(b));
 }
 
-Symbolic operator-(const Symbolic& a, const Symbolic& b) {
-  return Netlist::make(
-      Netlist::owner(a, b),
-      checked(Wide{a.range_.low} - b.range_.high, Wide{a.range_.high} - b.range_.low),
-      Netlist::text(a) + " - " + Netlist::text(b));
+Symbolic Netlist::subtract(const Symbolic& a, const Symbolic& b) {
+  return make(owner(a, b),
+              checked(Wide{a.range_.low} - b.range_.high, Wide{a.range_.high} - b.range_.low),
+              text(a) + " - " + text(b));
 }
 
-Symbolic operator*(const Symbolic& a, const Symbolic& b) {
+Symbolic Netlist::multiply(const Symbolic& a, const Symbolic& b) {
   const Wide al = a.range_.low, ah = a.range_.high, bl = b.range_.low, bh = b.range_.high;
   // As wide as its operands together, as the RTL's is: two multipliers of one width are found to be
   // one, where the last bit alone would make a solver compare them gate by gate.
-  const Symbolic product = Netlist::make(
-      Netlist::owner(a, b), of_corners({al * bl, al * bh, ah * bl, ah * bh}),
-      Netlist::text(a) + " * " + Netlist::text(b), signed_bits(a.range_) + signed_bits(b.range_));
+  const Symbolic product = make(owner(a, b), of_corners({al * bl, al * bh, ah * bl, ah * bh}),
+                                text(a) + " * " + text(b), a.bits_ + b.bits_);
   if (product.owner_ != nullptr) {
-    const std::string net = Netlist::text(product);
+    const std::string net = text(product);
     product.owner_->known_ += "\n    && " + net + " >= " + literal(product.range_.low) + " && " +
                               net + " <= " + literal(product.range_.high);
   }
   return product;
 }
 
-Symbolic shift_right(const Symbolic& x, const Symbolic& n) {
+Symbolic Netlist::shift_right(const Symbolic& x, const Symbolic& n) {
   const Value least = n.range_.low, most = n.range_.high;
   if (least < 0 || most > 62) throw std::overflow_error("a shift by less than 0 or more than 62");
   const Wide low = x.range_.low, high = x.range_.high;
-  return Netlist::make(Netlist::owner(x, n),
-                       of_corners({low >> least, low >> most, high >> least, high >> most}),
-                       Netlist::text(x) + " >>> " + Netlist::text(n));
+  return make(owner(x, n), of_corners({low >> least, low >> most, high >> least, high >> most}),
+              text(x) + " >>> " + text(n));
 }
 
-Symbolic shift_left(const Symbolic& x, int n) {
+Symbolic Netlist::shift_left(const Symbolic& x, int n) {
   if (n == 0) return x;
   const Wide unit = Wide{1} << n;
-  return Netlist::make(x.owner_, checked(x.range_.low * unit, x.range_.high * unit),
-                       Netlist::text(x) + " <<< " + std::to_string(n));
+  return make(x.owner_, checked(x.range_.low * unit, x.range_.high * unit),
+              text(x) + " <<< " + std::to_string(n));
 }
 
-Symbolic half_of(const Symbolic& n) {
+Symbolic Netlist::half_of(const Symbolic& n) {
   if (n.range_.low < 0) throw std::overflow_error("half of a negative power of two");
   const Range unit = checked(Wide{1} << n.range_.low, Wide{1} << n.range_.high);
-  return shift_right(Netlist::make(n.owner_, unit, literal(1) + " <<< " + Netlist::text(n)),
-                     Symbolic{1});
+  return shift_right(make(n.owner_, unit, literal(1) + " <<< " + text(n)), Symbolic{1});
 }
 
-Symbolic smaller(const Symbolic& a, const Symbolic& b) {
-  const std::string left = Netlist::text(a), right = Netlist::text(b);
-  return Netlist::make(
-      Netlist::owner(a, b),
-      {std::min(a.range_.low, b.range_.low), std::min(a.range_.high, b.range_.high)},
-      left + " < " + right + " ? " + left + " : " + right);
+Symbolic Netlist::smaller(const Symbolic& a, const Symbolic& b) {
+  const std::string left = text(a), right = text(b);
+  return make(owner(a, b),
+              {std::min(a.range_.low, b.range_.low), std::min(a.range_.high, b.range_.high)},
+              left + " < " + right + " ? " + left + " : " + right);
 }
 
-Symbolic larger(const Symbolic& a, const Symbolic& b) {
-  const std::string left = Netlist::text(a), right = Netlist::text(b);
-  return Netlist::make(
-      Netlist::owner(a, b),
-      {std::max(a.range_.low, b.range_.low), std::max(a.range_.high, b.range_.high)},
-      left + " < " + right + " ? " + right + " : " + left);
+Symbolic Netlist::larger(const Symbolic& a, const Symbolic& b) {
+  const std::string left = text(a), right = text(b);
+  return make(owner(a, b),
+              {std::max(a.range_.low, b.range_.low), std::max(a.range_.high, b.range_.high)},
+              left + " < " + right + " ? " + right + " : " + left);
 }
 
-Symbolic differs(const Symbolic& a, const Symbolic& b) {
+Symbolic Netlist::differs(const Symbolic& a, const Symbolic& b) {
   if (a.range_.constant() && b.range_.constant()) {
     return Symbolic{a.range_.low == b.range_.low ? 0 : 1};
   }
-  return Netlist::make(Netlist::owner(a, b), {0, 1},
-                       Netlist::text(a) + " != " + Netlist::text(b) + " ? 2'sb01 : 2'sb00");
+  return make(owner(a, b), {0, 1}, text(a) + " != " + text(b) + " ? 2'sb01 : 2'sb00");
 }
 
-Symbolic either(const Symbolic& a, const Symbolic& b) {
-  return Netlist::make(
-      Netlist::owner(a, b),
-      {std::max(a.range_.low, b.range_.low), std::max(a.range_.high, b.range_.high)},
-      Netlist::text(a) + " | " + Netlist::text(b));
+Symbolic Netlist::either(const Symbolic& a, const Symbolic& b) {
+  return make(owner(a, b),
+              {std::max(a.range_.low, b.range_.low), std::max(a.range_.high, b.range_.high)},
+              text(a) + " | " + text(b));
 }
 
 Symbolic Netlist::select(const Symbolic& flag, const Symbolic& if_one, const Symbolic& if_zero) {

@@ -43,21 +43,7 @@ class Symbolic {
   Netlist* owner_ = nullptr;  ///< none: a constant
   int net_ = -1;
   int bits_ = 0;  ///< of the net
-
-  friend Symbolic operator+(const Symbolic& a, const Symbolic& b);
-  friend Symbolic operator-(const Symbolic& a, const Symbolic& b);
-  friend Symbolic operator*(const Symbolic& a, const Symbolic& b);
-  friend Symbolic shift_right(const Symbolic& x, const Symbolic& n);
-  friend Symbolic shift_left(const Symbolic& x, int n);
-  friend Symbolic half_of(const Symbolic& n);
-  friend Symbolic smaller(const Symbolic& a, const Symbolic& b);
-  friend Symbolic larger(const Symbolic& a, const Symbolic& b);
-  friend Symbolic differs(const Symbolic& a, const Symbolic& b);
-  friend Symbolic either(const Symbolic& a, const Symbolic& b);
 };
-
-inline Symbolic operator+(const Symbolic& a, Value b) { return a + Symbolic{b}; }
-inline Symbolic shift_right(const Symbolic& x, Value n) { return shift_right(x, Symbolic{n}); }
 
 /// A module in the making. Its symbols must not outlive it. A range beyond 62 bits throws
 /// std::overflow_error, which no configuration within the stated ranges comes to.
@@ -89,21 +75,20 @@ class Netlist {
   /// within theirs. A solver is told so, as it would have to find it out gate by gate.
   [[nodiscard]] std::string verilog(const std::string& module) const;
 
+  static Symbolic add(const Symbolic& a, const Symbolic& b);
+  static Symbolic subtract(const Symbolic& a, const Symbolic& b);
+  static Symbolic multiply(const Symbolic& a, const Symbolic& b);
+  static Symbolic shift_right(const Symbolic& x, const Symbolic& n);
+  static Symbolic shift_left(const Symbolic& x, int n);
+  static Symbolic half_of(const Symbolic& n);
+  static Symbolic smaller(const Symbolic& a, const Symbolic& b);
+  static Symbolic larger(const Symbolic& a, const Symbolic& b);
+  static Symbolic differs(const Symbolic& a, const Symbolic& b);
+  static Symbolic either(const Symbolic& a, const Symbolic& b);  ///< of flags
   /// `flag` is 0 or 1: `if_one` or `if_zero`.
   Symbolic select(const Symbolic& flag, const Symbolic& if_one, const Symbolic& if_zero);
 
  private:
-  friend Symbolic operator+(const Symbolic& a, const Symbolic& b);
-  friend Symbolic operator-(const Symbolic& a, const Symbolic& b);
-  friend Symbolic operator*(const Symbolic& a, const Symbolic& b);
-  friend Symbolic shift_right(const Symbolic& x, const Symbolic& n);
-  friend Symbolic shift_left(const Symbolic& x, int n);
-  friend Symbolic half_of(const Symbolic& n);
-  friend Symbolic smaller(const Symbolic& a, const Symbolic& b);
-  friend Symbolic larger(const Symbolic& a, const Symbolic& b);
-  friend Symbolic differs(const Symbolic& a, const Symbolic& b);
-  friend Symbolic either(const Symbolic& a, const Symbolic& b);
-
   /// The net `expression` of as many bits or, if its range takes more, of those; or the constant,
   /// if the range leaves but one.
   static Symbolic make(Netlist* owner, Range range, const std::string& expression, int bits = 0);
@@ -114,5 +99,23 @@ class Netlist {
   std::string body_, known_ = "1'b1";
   int nets_ = 0;
 };
+
+// What model/reference/integer.h asks of an integer.
+inline Symbolic operator+(const Symbolic& a, const Symbolic& b) { return Netlist::add(a, b); }
+inline Symbolic operator+(const Symbolic& a, Value b) { return Netlist::add(a, Symbolic{b}); }
+inline Symbolic operator-(const Symbolic& a, const Symbolic& b) { return Netlist::subtract(a, b); }
+inline Symbolic operator*(const Symbolic& a, const Symbolic& b) { return Netlist::multiply(a, b); }
+inline Symbolic shift_right(const Symbolic& x, const Symbolic& n) {
+  return Netlist::shift_right(x, n);
+}
+inline Symbolic shift_right(const Symbolic& x, Value n) {
+  return Netlist::shift_right(x, Symbolic{n});
+}
+inline Symbolic shift_left(const Symbolic& x, int n) { return Netlist::shift_left(x, n); }
+inline Symbolic half_of(const Symbolic& n) { return Netlist::half_of(n); }
+inline Symbolic smaller(const Symbolic& a, const Symbolic& b) { return Netlist::smaller(a, b); }
+inline Symbolic larger(const Symbolic& a, const Symbolic& b) { return Netlist::larger(a, b); }
+inline Symbolic differs(const Symbolic& a, const Symbolic& b) { return Netlist::differs(a, b); }
+inline Symbolic either(const Symbolic& a, const Symbolic& b) { return Netlist::either(a, b); }
 
 }  // namespace ptm::testbench
