@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/reference/evaluate.h"
+#include "model/reference/lerp.h"
 
 namespace ptm::testbench {
 namespace {
@@ -241,6 +242,21 @@ class EvaluatorClaims {
 
 std::vector<std::unique_ptr<Claim>> step_claims(const EvalConfig& config) {
   return EvaluatorClaims(config).make();
+}
+
+std::unique_ptr<Claim> lerp_claim(reference::Rounding rounding, int bits) {
+  auto claim = std::make_unique<Claim>();
+  claim->name = "lerp";
+  claim->module = "ptm_lerp";
+  claim->parameters = {{"Width", bits},
+                       {"RoundNearest", rounding == reference::Rounding::nearest ? 1 : 0}};
+  const Symbolic a = claim->netlist.input("a", bits, false);
+  const Symbolic b = claim->netlist.input("b", bits, false);
+  const Symbolic f = claim->netlist.input("f", reference::kLerpFrac, false);
+  claim->inputs = {{"a_i", {"a"}}, {"b_i", {"b"}}, {"f_i", {"f"}}};
+  claim->netlist.output("y", reference::lerp(rounding, a, b, f), unsigned_range(bits));
+  claim->outputs = {{"y_o", 0, bits, false, "y"}};
+  return claim;
 }
 
 }  // namespace ptm::testbench

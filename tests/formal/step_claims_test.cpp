@@ -56,6 +56,23 @@ INSTANTIATE_TEST_SUITE_P(Presets, StepClaims,
                                   std::get<1>(test.param);
                          });
 
+TEST(LerpClaim, HoldsForEveryInputOfEveryWidth) {
+  // Coefficients of 4 to 12 bits and colours of 8, each with up to 4 fraction bits.
+  for (const auto rounding : {reference::Rounding::nearest, reference::Rounding::truncate}) {
+    for (int bits = 4; bits <= 16; ++bits) {
+      const Answer answer = prove(*lerp_claim(rounding, bits), rtl_sources("rtl/files.f"));
+      EXPECT_EQ(answer.verdict, Verdict::holds) << bits;
+    }
+  }
+}
+
+TEST(LerpClaim, FailsForAChangedModule) {
+  const tests::ChangedRtl changed("rtl/ptm_lerp.sv", "{a_i, Half} + product",
+                                  "{a_i, Half} + product + SumW'(a_i == 200 && b_i == 17)");
+  const Answer answer = prove(*lerp_claim(reference::Rounding::nearest, 8), changed.files());
+  EXPECT_EQ(answer.verdict, Verdict::fails);
+}
+
 /// One character or so of a step's module, which random vectors may or may not come across.
 struct Mutant {
   const char *step, *file, *from, *to;
