@@ -2,7 +2,8 @@
 //
 //   uu = sat(narrow(lu * lu, 2 LightFrac - BasisFrac), basis_bits), likewise vv, uv
 //                                                                        docs/spec/datapath.md
-// Every code is accepted, the most negative included: its square is the one value that saturates.
+// Every code is accepted, the most negative included: its square saturates, and of a basis so coarse
+// that they round up to it, the squares next to it.
 // Twin: ptm::reference::basis() in model/reference/luminance.h. Combinational.
 module ptm_basis #(
   parameter int LightInt     = 2,

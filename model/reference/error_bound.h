@@ -31,7 +31,8 @@ struct ErrorBound {
 ///                 where the disc reaches the last code
 ///     light     = delta (|(2 a0, a2)| reach + |a3| + |(a2, 2 a1)| reach + |a4|)
 ///                 + delta^2 (|a0| + |a1| + |a2|)
-///     basis     = step 2^-basis_frac (|a0| + |a1| + |a2|), if bits are dropped
+///     basis     = step 2^-basis_frac (|a0| + |a1| + |a2|), if bits are dropped; step is 1 where
+///                 the last code's square rounds up to where D2 saturates
 ///     terms     = step 2^-guard for each coefficient that is not 0 and has bits to drop
 ///     luminance = step 2^-lum_frac, if bits are dropped
 ///     color     = step + step / 255, the latter if bits of the product are dropped

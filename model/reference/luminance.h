@@ -45,8 +45,9 @@ struct Basis {
 ///     uu = sat(narrow(lu * lu, 2 light_frac - basis_frac), basis_bits), likewise vv, uv
 ///
 /// Requires  lu, lv signed codes of light_int + light_frac bits, the most negative included.
-/// Error     half a unit of 2^-basis_frac (nearest), one (truncate), and one where it saturates,
-///           which only |lu| = |lv| = 2^(light_int - 1) does.
+/// Error     half a unit of 2^-basis_frac (nearest), one (truncate), and one where it saturates:
+///           for |lu| = |lv| = 2^(light_int - 1), and of a basis so coarse that squares of codes
+///           next to it round up to its own.
 /// Twin      rtl/ptm_basis.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Basis<Int> basis(const EvalConfig& config, Int lu,

@@ -1,6 +1,7 @@
 // ptmsim info: what a file holds.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -82,21 +83,20 @@ Json plane_rows(const golden::PtmFile& file) {
 
 /// What each preset makes of the map: whether it takes the file's integers as they stand, of an
 /// lrgb map how many texels' luminance it cannot hold under some light of the hemisphere, and, if
-/// both are well, how far a lit channel may be off at most.
+/// it certainly holds both, how far a lit channel may be off at most.
 Json preset_rows(const golden::PtmMap& map) {
   Json rows = Json::array();
   for (const reference::Preset& preset : reference::kPresets) {
     const quantize::Import import = import_map(map, preset.config);
     Json row{{"preset", preset.name}, {"verbatim", import.map.has_value()}};
-    std::size_t beyond = 0;
     if (map.kind == golden::MapKind::lrgb) {
-      beyond = quantizer_input(map, preset.config).balance.exceeding;
-      row["luminance_beyond"] = beyond;
+      row["luminance_beyond"] = quantizer_input(map, preset.config).balance.exceeding;
     }
     row["levels_off_at_most"] = nullptr;
-    if (import.map && beyond == 0) {
+    if (import.map) {
       const auto bounds = texel_error_bounds(map, *import.map, preset.config);
-      row["levels_off_at_most"] = *std::max_element(bounds.begin(), bounds.end());
+      const double most = *std::max_element(bounds.begin(), bounds.end());
+      if (std::isfinite(most)) row["levels_off_at_most"] = most;
     }
     row["why_not"] = import.why_not;
     rows.push_back(row);

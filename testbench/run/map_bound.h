@@ -11,8 +11,8 @@ namespace ptm::testbench {
 /// in levels, under any light of the unit disc: error_bound() of its polynomials, an LRGB texel's
 /// times its brightest channel.
 ///
-/// Holds for a map that is stored verbatim (else what storing changed comes on top) and whose
-/// luminance the hardware can hold (quantizer_input() counts the texels for which it cannot).
+/// Holds for a map that is stored verbatim; else what storing changed comes on top. Infinite where
+/// the luminance may go beyond what D6 holds, for which golden has no limit.
 [[nodiscard]] std::vector<double> texel_error_bounds(const golden::PtmMap& map,
                                                      const quantize::StoredMap& stored,
                                                      const reference::EvalConfig& config);
