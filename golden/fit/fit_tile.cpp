@@ -9,6 +9,11 @@
 namespace ptm::golden {
 namespace {
 
+/// A texel's brightest luminance, in levels, where its colour fills its range: more than samples up
+/// to white come to, so that one texel of a float picture far above white does not set the step of
+/// all others' coefficients.
+constexpr double kMostLuminance = 1020;
+
 constexpr std::size_t kBlock = 256;  ///< texels whose sums stay in the first-level cache
 
 using Lane = std::array<double, kBlock>;  ///< one number a texel
@@ -215,7 +220,7 @@ class TileFitter {
     const auto& sums = average ? sums_.average : sums_.product;
     const double of_luminance = average ? sums_.sum[t] : sums_.squares[t];
     const double brightest = 255 * of_luminance / std::max({sums[0][t], sums[1][t], sums[2][t]});
-    double k = brightest;
+    double k = std::max(brightest, most * 255 / kMostLuminance);
     if (options_.full_range == FullRange::luminance) k = average ? std::min(most, brightest) : most;
     for (std::size_t c = 0; c < 3; ++c) color[c] = to_byte(k * sums[c][t] / of_luminance);
     return 255 / k;

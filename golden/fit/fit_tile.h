@@ -42,7 +42,7 @@ inline constexpr std::array<double, 3> kLumaWeights{0.2125, 0.7154, 0.0721};
 ///     lrgb   color = clamp(k c, 0, 255),  a = 255 inverse * y / k
 ///            least_squares: c = sum_i rgb_i y_i / sum_i y_i^2
 ///            average:       c = mean rgb / mean y
-///            full range of color:     k = 255 / max c
+///            full range of color:     k = 255 / max c, or max y / 4 if that is more
 ///            full range of luminance: k = max y, for average 255 / max c if that is less
 ///     rgb    a_c = inverse * c                     for each channel c
 ///     lum    a   = inverse * Y,  Cr and Cb the photographs' averages

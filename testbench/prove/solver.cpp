@@ -121,11 +121,14 @@ Answer prove(const Claim& claim, const std::vector<std::string>& files, int seco
   std::ofstream(folder / "claim.sv") << miter(claim);
   std::vector<std::string> all = files;
   all.push_back((folder / "claim.sv").string());
+  // What the RTL leaves undefined may be anything; optimised first, it would be what suits best.
   // One multiplier with one pair of operands is one cell after opt_merge, and no question for SAT.
   std::ofstream(folder / "claim.ys")
       << read_verilog(all) << "\nhierarchy -check -top " << claim.name
-      << "\nproc\nflatten\nopt -full\nwreduce\nopt_merge\nopt -full\nsat -timeout " << seconds
-      << " -prove differ 0 -show-inputs -show-outputs -show-ports " << claim.name << "\n";
+      << "\nproc\nflatten\nsetundef -undriven -anyseq\nopt -full\nwreduce\nopt_merge\nopt "
+         "-full\nsat -timeout "
+      << seconds << " -prove differ 0 -show-inputs -show-outputs -show-ports " << claim.name
+      << "\n";
   const Run made = run({"yosys", "-s", (folder / "claim.ys").string()}, folder);
   Answer answer;
   answer.seconds = made.seconds;

@@ -113,7 +113,7 @@ TEST(FitBalance, LeavesMapsAloneThatHaveRoomOrNoColourToMoveInto) {
   EXPECT_GT(highest(golden::read_ptm(folder / "map.ptm").map), 290);  // so the others had to move
 }
 
-TEST(FitBalance, HasNothingToDoWhereColourFillsItsRange) {
+TEST(FitBalance, HasNothingToDoWhereAFullColourLeavesLuminanceLow) {
   const ScratchFolder folder;
   const FitOutcome outcome = fit(folder, reference::kPaper8, golden::MapKind::lrgb, "plain",
                                  std::size_t{1} << 28, golden::FullRange::color);

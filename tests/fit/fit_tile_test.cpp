@@ -55,7 +55,8 @@ TEST(FitTile, RecoversExactPolynomialsAndTheirColour) {
           ASSERT_NEAR(made.coef[t * 6 + i], truth[t][static_cast<Eigen::Index>(i)] / k,
                       kFloatError);
         }
-        for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(made.color[t * 3 + c], std::round(k * rgb[c]));
+        for (std::size_t c = 0; c < 3; ++c)
+          ASSERT_EQ(made.color[t * 3 + c], std::round(k * rgb[c]));
       }
       EXPECT_LT(rmse(lit, made, MapKind::lrgb), kFloatError);
     }
@@ -79,6 +80,27 @@ TEST(FitTile, NeedNotClampAColourThatIsBrighterThanItsLuminance) {
   EXPECT_EQ(made.color[0], 255);
   EXPECT_EQ(made.color[1], 123);
   EXPECT_LT(rmse(lit, made, MapKind::lrgb), rmse(lit, clamped, MapKind::lrgb) - 1);
+}
+
+TEST(FitTile, KeepsTheLuminanceOfATexelFarAboveWhiteWithinTenBits) {
+  MadePhotographs lit(24, 40);
+  lit.light(bright_polynomials(lit), {200, 120, 40});
+  for (std::size_t i = 0; i < lit.directions.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) lit.at(i, c, 7) *= 1e4F;
+  }
+  const Fit made = fit(lit);
+  double most = 0;
+  for (const auto& d : lit.directions) {
+    double luminance = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      luminance += made.coef[7 * 6 + i] * light_basis(d[0], d[1])[static_cast<Eigen::Index>(i)];
+    }
+    most = std::max(most, luminance);
+  }
+  EXPECT_NEAR(most, 1020, 0.1);
+  EXPECT_EQ(made.color[7 * 3], 255);
+  EXPECT_EQ(made.color[8 * 3], 255);
+  EXPECT_EQ(made.color[8 * 3 + 1], 153);
 }
 
 TEST(FitTile, RecoversEachChannelOfAnRgbMapWithAnyNumberOfLights) {

@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
                "coef - bias - (&coef[StoredW-1:0] && &bias[CoefBits-1:0]);"},
         Mutant{"basis", "rtl/ptm_basis.sv", "assign uv = lu * lv;",
                "assign uv = lu * lv + (lu == -3 && lv == 7 ? SquareW'(256) : SquareW'(0));"},
-        Mutant{"products", "rtl/ptm_products.sv", "p5_o = d5_i", "p5_o = d4_i"},
+        Mutant{"products", "rtl/ptm_products.sv", "p5_o = d5_i", "p5_o = d5_i == 5 ? 'x : d5_i"},
         Mutant{"align", "rtl/ptm_narrow.sv", "(InBits+1)'(1)", "(InBits+1)'(!(&x_i[8:0]))"},
         Mutant{"sum", "rtl/ptm_sum.sv", "SumW'(t5_i)", "SumW'($unsigned(t5_i))"},
         Mutant{"luminance", "rtl/ptm_luminance.sv", "negative || above",
