@@ -1,12 +1,16 @@
-// What goes into ptm_evaluator leaves it eight cycles later as ptm_evaluator_steps makes it, beat
-// after beat, an RGB map's three passes as one pixel.
+// What goes into ptm_evaluator leaves it as ptm_evaluator_steps makes it, beat after beat, an RGB
+// map's three passes as one pixel; eight cycles later, or when the taker is ready.
 //
-// Cycle 0 is reset; from then on a beat comes in every cycle, its operands free, and every pixel is
-// taken at once. In cycle 11 the pixel whose last beat came in cycle 3 is due, with two beats
-// before it and eight behind it in the unit. Registers hold anything when reset begins. That a
-// stalled register keeps its beat whole is not claimed here (docs/verification/proofs.md).
+// Cycle 0 is reset; from then on a beat is offered in every cycle, its operands free. The taker is
+// ready but in the cycles StallFrom to StallTo. In cycle Due the pixel whose last beat came Age
+// cycles before must be there. Registers hold anything when reset begins. What holds for every
+// pattern of stalls is in docs/verification/proofs.md.
 module ptm_evaluator_flow #(
-  parameter int RgbMap       = 0,  // 1: three passes a pixel
+  parameter int RgbMap       = 0,   // 1: three passes a pixel
+  parameter int Due          = 11,  // up to 31
+  parameter int Age          = 8,   // 8 if nothing stalls
+  parameter int StallFrom    = 31,
+  parameter int StallTo      = 0,   // below StallFrom: never
   parameter int CoefBits     = 8,
   parameter int DeltaBits    = 9,
   parameter int LightInt     = 2,
@@ -33,18 +37,18 @@ module ptm_evaluator_flow #(
   input  logic signed [LightW-1:0]        lu_i,
   input  logic signed [LightW-1:0]        lv_i,
   input  logic [SidebandBits-1:0]         sideband_i,
-  output logic                            differ_o  // in cycle 11
+  output logic                            differ_o  // in cycle Due
 );
-  localparam int Latency = 8, Due = 11;
-
-  logic [3:0] cycle_q = 4'd0;
-  always_ff @(posedge clk_i) cycle_q <= cycle_q + 4'd1;
+  logic [4:0] cycle_q = 5'd0;
+  always_ff @(posedge clk_i) cycle_q <= cycle_q + 5'd1;
 
   // Cycle 1, 2, 3: channel 0, 1, 2
   logic       running;
   logic [1:0] channel;
-  assign running = cycle_q != 4'd0;
-  assign channel = RgbMap == 0 ? 2'd0 : 2'((cycle_q + 4'd2) % 4'd3);
+  logic       taken;
+  assign running = cycle_q != 5'd0;
+  assign taken   = cycle_q < 5'(StallFrom) || cycle_q > 5'(StallTo);
+  assign channel = RgbMap == 0 ? 2'd0 : 2'((cycle_q + 5'd2) % 5'd3);
 
   logic                    ready, valid, lum_saturated, color_saturated;
   logic [3*LumW-1:0]       lum;
@@ -59,7 +63,7 @@ module ptm_evaluator_flow #(
     .clk_i(clk_i), .rst_ni(running), .valid_i(running), .ready_o(ready), .coef_i(coef_i),
     .bias_i(bias_i), .shift_i(shift_i), .rgb_i(rgb_i), .lu_i(lu_i), .lv_i(lv_i),
     .rgb_map_i(RgbMap != 0), .channel_i(channel), .sideband_i(sideband_i), .valid_o(valid),
-    .ready_i(1'b1), .lum_o(lum), .lum_saturated_o(lum_saturated), .rgb_o(rgb),
+    .ready_i(taken), .lum_o(lum), .lum_saturated_o(lum_saturated), .rgb_o(rgb),
     .color_saturated_o(color_saturated), .sideband_o(sideband)
   );
 
@@ -82,13 +86,13 @@ module ptm_evaluator_flow #(
   );
   assign beat.sideband = sideband_i;
 
-  // The beats of the last eight to ten cycles
-  logic [(Latency+2)*$bits(beat)-1:0] beats_q;
-  always_ff @(posedge clk_i) beats_q <= {beats_q[(Latency+1)*$bits(beat)-1:0], beat};
+  // The beats of the cycles before
+  logic [(Age+2)*$bits(beat)-1:0] beats_q;
+  always_ff @(posedge clk_i) beats_q <= {beats_q[(Age+1)*$bits(beat)-1:0], beat};
   beat_t last, middle, first;
-  assign last   = beats_q[(Latency-1)*$bits(beat) +: $bits(beat)];
-  assign middle = beats_q[Latency*$bits(beat) +: $bits(beat)];
-  assign first  = beats_q[(Latency+1)*$bits(beat) +: $bits(beat)];
+  assign last   = beats_q[(Age-1)*$bits(beat) +: $bits(beat)];
+  assign middle = beats_q[Age*$bits(beat) +: $bits(beat)];
+  assign first  = beats_q[(Age+1)*$bits(beat) +: $bits(beat)];
 
   logic [3*LumW-1:0] due_lum;
   logic [23:0]       due_rgb;
@@ -107,8 +111,8 @@ module ptm_evaluator_flow #(
     assign due_color_saturated = last.color_saturated;
   end
 
-  assign differ_o = cycle_q == 4'(Due)
-      && (!ready || !valid || lum != due_lum || rgb != due_rgb
+  assign differ_o = cycle_q == 5'(Due)
+      && ((!ready && StallFrom > StallTo) || !valid || lum != due_lum || rgb != due_rgb
           || lum_saturated != due_lum_saturated || color_saturated != due_color_saturated
           || sideband != last.sideband);
 endmodule
