@@ -2,8 +2,8 @@
 //
 //   uu = sat(narrow(lu * lu, 2 LightFrac - BasisFrac), basis_bits), likewise vv, uv
 //                                                                        docs/spec/datapath.md
-// Every code is accepted, the most negative included: its square saturates, and of a basis so coarse
-// that they round up to it, the squares next to it.
+// Every code is accepted, the most negative included. Its square saturates; of a coarse basis the
+// squares next to it round up to it, and do as well.
 // Twin: ptm::reference::basis() in model/reference/luminance.h. Combinational.
 module ptm_basis #(
   parameter int LightInt     = 2,

@@ -37,7 +37,8 @@ module ptm_stream_chain_properties #(
   assign overwritten = |(load & holds_q & ~leaves[1:Stages]);        // loads over what stays
   assign wrong_valid = valid != holds_q[Stages];
   assign wrong_ready = (valid_i && ready) != load[1];
-  // Moves whatever can: a register keeps its item only if it and all behind it are full and blocked.
+  // Moves whatever can: a register keeps its item only if it and all behind it are full and the
+  // end refuses.
   logic [1:Stages] blocked;
   for (genvar n = 1; n <= Stages; n++) begin : gen_blocked
     assign blocked[n] = &holds_q[n:Stages] && !ready_i;

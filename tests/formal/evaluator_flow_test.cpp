@@ -59,9 +59,9 @@ INSTANTIATE_TEST_SUITE_P(Presets, EvaluatorFlow, testing::ValuesIn(reference::kP
                          [](const auto& preset) { return std::string(preset.param.name); });
 
 TEST(StalledEvaluatorFlow, MakesOfAWaitingPixelWhatTheStepsMakeOfIt) {
-  expect_flow(reference::kPresets[0], kStalledLrgb);
-  expect_flow(reference::kPresets[0], kStalledRgb);
-  expect_flow(reference::kPresets[0], kThirdRgb);
+  expect_flow(reference::find_preset("paper8"), kStalledLrgb);
+  expect_flow(reference::find_preset("paper8"), kStalledRgb);
+  expect_flow(reference::find_preset("paper8"), kThirdRgb);
 }
 
 TEST(EvaluatorFlowIfChanged, FailsForAFieldThatTheTailLoses) {

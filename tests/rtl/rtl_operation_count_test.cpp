@@ -48,10 +48,8 @@ std::string write_top(const std::string& top, const std::string& json) {
 std::string yosys_script(const EvalConfig& config, const std::string& json) {
   std::string script = read_all() + "; chparam";
   for (const NamedParameter& parameter : rtl_parameters(config)) {
-    // Yosys 0.23 does not read a negative decimal.
-    std::array<char, 16> hex{};
-    std::snprintf(hex.data(), hex.size(), "32'h%08x", static_cast<unsigned>(parameter.value));
-    script += " -set " + std::string(parameter.name) + ' ' + hex.data();
+    script +=
+        " -set " + std::string(parameter.name) + ' ' + testbench::yosys_integer(parameter.value);
   }
   return script + " ptm_evaluator" + write_top("ptm_evaluator", json);
 }

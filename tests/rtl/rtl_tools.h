@@ -13,18 +13,14 @@
 #include <vector>
 
 #include "model/reference/eval_config.h"
+#include "testbench/rtl/yosys.h"
 
 /// Calling the hardware tools on the sources of rtl/.
 namespace ptm::tests {
 
 /// The files of such a list, as they are written there.
-inline std::vector<std::string> rtl_files(const std::string& list_name = "rtl/files.f") {
-  std::ifstream list(std::string(PTM_SOURCE_DIR) + '/' + list_name);
-  std::vector<std::string> files;
-  for (std::string line; std::getline(list, line);) {
-    if (!line.empty() && line.rfind("//", 0) != 0) files.push_back(line);
-  }
-  return files;
+inline std::vector<std::string> rtl_files(const std::string& list = "rtl/files.f") {
+  return testbench::listed_sources(PTM_SOURCE_DIR, list);
 }
 
 /// The stages of effects and their chain, which no list names.
