@@ -26,29 +26,83 @@ std::string reason() { return std::strerror(errno); }
   throw InputError(target.string(), "output", found, "a place where a file can be written");
 }
 
+/// Opens a plain file and nothing else; a pipe would block, a device might never end.
+OpenFile open_plain_file(const std::filesystem::path& path, const std::string& what,
+                         std::uintmax_t most_bytes) {
+  require_plain_file(path, what);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && size > most_bytes) {
+    throw InputError(path.string(), "size", std::to_string(size) + " bytes",
+                     what + " of at most " + std::to_string(most_bytes) + " bytes");
+  }
+  OpenFile file(std::fopen(path.c_str(), "rb"));
+  if (file == nullptr) throw InputError(path.string(), "file", reason(), what);
+  return file;
+}
+
+/// Appends the rest of the file. A read that fails is an error, not the file's end.
+template <class Bytes>
+void append_rest(std::FILE* file, const std::filesystem::path& path, const std::string& what,
+                 std::uintmax_t most_bytes, Bytes& bytes) {
+  std::array<char, 65536> chunk{};
+  while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file)) {
+    bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(count));
+    if (bytes.size() > most_bytes) {  // it grew since its size was asked for
+      throw InputError(path.string(), "size", "more than " + std::to_string(most_bytes) + " bytes",
+                       what + " of at most that many");
+    }
+  }
+  if (std::ferror(file) != 0) throw InputError(path.string(), "file", reason(), what);
+}
+
 }  // namespace
 
+void require_plain_file(const std::filesystem::path& path, const std::string& what) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const auto fail = [&](const std::string& found) {
+    throw InputError(path.string(), "file", found, what);
+  };
+  switch (status.type()) {
+    case fs::file_type::regular:
+      return;
+    case fs::file_type::directory:
+      return fail("a folder");
+    case fs::file_type::fifo:
+      return fail("a pipe, which can be read only once");
+    case fs::file_type::character:
+    case fs::file_type::block:
+      return fail("a device");
+    case fs::file_type::socket:
+      return fail("a socket");
+    default:
+      return fail(error ? error.message() : "No such file or directory");
+  }
+}
+
 std::vector<std::uint8_t> read_whole_file(const std::filesystem::path& path, std::string_view magic,
-                                          const std::string& what) {
-  const std::string name = path.string();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(name, "file", "a folder", what);
-  const OpenFile file(std::fopen(name.c_str(), "rb"));
-  if (file == nullptr) throw InputError(name, "file", reason(), what);
+                                          const std::string& what, std::uintmax_t most_bytes) {
+  const OpenFile file = open_plain_file(path, what, most_bytes);
   std::vector<std::uint8_t> bytes(magic.size());
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+  if (std::ferror(file.get()) != 0) throw InputError(path.string(), "file", reason(), what);
   const std::string_view head(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (head != magic) {
-    throw InputError(name, "byte 0", head.empty() ? "an empty file" : quoted(head),
+    throw InputError(path.string(), "byte 0", head.empty() ? "an empty file" : quoted(head),
                      what + ", which begins with " + quoted(magic));
   }
-  std::array<std::uint8_t, 65536> chunk{};
-  while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-    bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(count));
-  }
-  if (std::ferror(file.get()) != 0) throw InputError(name, "file", reason(), what);
+  append_rest(file.get(), path, what, most_bytes, bytes);
   return bytes;
+}
+
+std::string read_text_file(const std::filesystem::path& path, const std::string& what,
+                           std::uintmax_t most_bytes) {
+  const OpenFile file = open_plain_file(path, what, most_bytes);
+  std::string text;
+  append_rest(file.get(), path, what, most_bytes, text);
+  return text;
 }
 
 PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(target)) {
