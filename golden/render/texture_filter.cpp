@@ -19,11 +19,11 @@ int beyond(int index, int side, WrapMode mode) {
 }
 
 Neighbours neighbours(double coordinate, int side, WrapMode mode, bool bilinear) {
-  const double position = wrapped(coordinate, mode) * side;
   if (!bilinear) {
-    const int i = std::min(static_cast<int>(position), side - 1);
+    const int i = point_texel(coordinate, side, mode);
     return {i, i, 0};
   }
+  const double position = wrapped(coordinate, mode) * side;
   const double from = std::floor(position - 0.5);
   const int i = static_cast<int>(from);
   return {beyond(i, side, mode), beyond(i + 1, side, mode), position - 0.5 - from};
@@ -88,6 +88,17 @@ double wrapped(double coordinate, WrapMode mode) {
   const double fraction = coordinate - period;
   const bool odd = std::fmod(period, 2) != 0;
   return mode == WrapMode::mirror && odd ? 1 - fraction : fraction;
+}
+
+int point_texel(double coordinate, int side, WrapMode mode) {
+  if (mode != WrapMode::mirror) {
+    return std::min(static_cast<int>(wrapped(coordinate, mode) * side), side - 1);
+  }
+  // A texel owns its lower edge, in the mirrored half of the row too: so the texel is found in the
+  // endless row first and mirrored after, not the other way round.
+  const double within_two = coordinate - 2 * std::floor(coordinate / 2);
+  const int i = std::min(static_cast<int>(within_two * side), 2 * side - 1);
+  return i < side ? i : 2 * side - 1 - i;
 }
 
 Rgba filter_texture(const MipTexture& texture, const TextureQuery& query) {

@@ -34,4 +34,8 @@ struct TextureQuery {
 /// A coordinate within one period: repeat and mirror give [0, 1], clamp limits to that.
 [[nodiscard]] double wrapped(double coordinate, WrapMode mode);
 
+/// The texel along a side of `side` texels that point sampling takes: floor(coordinate * side) in
+/// the endless row, then wrapped. A sample on an edge takes the texel above it in that row.
+[[nodiscard]] int point_texel(double coordinate, int side, WrapMode mode);
+
 }  // namespace ptm::golden

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "golden/render/area_average.h"
@@ -10,6 +11,23 @@
 
 namespace ptm::golden {
 namespace {
+
+TEST(PointTexel, IsThatOfTheEndlessRowOnEveryEdgeAndBetween) {
+  // Exact: sides are powers of two, and samples lie on quarters of a texel.
+  for (const int side : {1, 2, 4, 32}) {
+    for (int quarter = -12 * side; quarter <= 12 * side; ++quarter) {
+      const double coordinate = static_cast<double>(quarter) / (4 * side);
+      const int endless = quarter >= 0 ? quarter / 4 : -((-quarter + 3) / 4);
+      const int repeated = (endless % side + side) % side;
+      const int turn = (endless % (2 * side) + 2 * side) % (2 * side);
+      EXPECT_EQ(point_texel(coordinate, side, WrapMode::repeat), repeated) << coordinate;
+      EXPECT_EQ(point_texel(coordinate, side, WrapMode::mirror),
+                turn < side ? turn : 2 * side - 1 - turn)
+          << coordinate << " of " << side;
+      EXPECT_EQ(point_texel(coordinate, side, WrapMode::clamp), std::clamp(endless, 0, side - 1));
+    }
+  }
+}
 
 /// A picture whose texel i, j is i + 10 j in red; 7, 8 and 9 elsewhere.
 LoadedTexture counted(int width, int height) {
