@@ -47,7 +47,12 @@ class DramTiming final : public MemoryTiming {
     const auto banks = static_cast<std::uint32_t>(memory_.banks);
     Bank& bank = banks_[page % banks];
     const Cycle start = outside_refresh(std::max(cycle, bank.ready));
-    const Cycle read = open(bank, page / banks, start);
+    const Cycle opened = open(bank, page / banks, start);
+    Cycle read = std::max(opened, earliest_read());
+    // The row that waited for the bus until the next refresh is closed by it and opened again.
+    if (read > opened && period_of(read) != bank.period) {
+      read = open(bank, page / banks, outside_refresh(read));
+    }
     bank.ready = read + memory_.burst;
     const Cycle data = std::max(read + memory_.CL, bus_free_);
     bus_free_ = data + memory_.burst;
@@ -66,6 +71,11 @@ class DramTiming final : public MemoryTiming {
     Cycle ready = 0;   ///< for the next command
     Cycle period = 0;  ///< between which refreshes the row was opened
   };
+
+  /// A read command whose data would meet a busy bus is not given: data follow it after CL.
+  [[nodiscard]] Cycle earliest_read() const {
+    return bus_free_ > memory_.CL ? bus_free_ - memory_.CL : 0;
+  }
 
   [[nodiscard]] Cycle period_of(Cycle cycle) const {
     return memory_.tREFI == 0 ? 0 : cycle / memory_.tREFI;

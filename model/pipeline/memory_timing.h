@@ -41,8 +41,8 @@ struct FixedMemory {
 ///     none open    activate, tRCD later read
 ///     other open   precharge (tRAS after its activation at the earliest), tRP later activate
 ///
-/// Data follow CL after the read on one bus, in request order, `burst` cycles a line; the answer
-/// arrives `overhead` cycles after the last. Commands do not start in the first tRFC cycles of
+/// Data follow CL after the read on one bus, in request order, `burst` cycles a line; a read waits
+/// until its data find the bus free. The answer arrives `overhead` cycles after the last. Commands do not start in the first tRFC cycles of
 /// each tREFI (the first one excepted), and find every row closed then; what has begun is finished.
 struct DramMemory {
   int banks = 8;

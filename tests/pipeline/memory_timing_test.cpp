@@ -82,6 +82,34 @@ TEST(DramMemory, ClosesEveryRowAtARefreshAndWaitsForItsEnd) {
             (std::vector<Cycle>{32, 1017, 1132, 1518, 2332}));
 }
 
+/// The cycle after the last of a stream of lines, all asked for at once.
+Cycle stream_end(const DramMemory& timing, std::uint32_t lines) {
+  const auto memory = make_memory(timing);
+  Cycle last = 0;
+  for (std::uint32_t n = 0; n < lines; ++n) last = memory->line(n, n, n);
+  return last;
+}
+
+TEST(DramMemory, MovesNoDataForReadsThatARefreshForbids) {
+  // Of each tREFI cycles, reads are given in tREFI - tRFC at most, so their data take the bus for
+  // that long, and for what the last read before the refresh still brings.
+  for (const Cycle tRFC : {Cycle{0}, Cycle{100}, Cycle{200}, Cycle{350}}) {
+    const DramMemory timing{.tREFI = 400, .tRFC = tRFC, .overhead = 0};
+    const Cycle busy = 4096 * timing.burst;
+    const Cycle a_period = timing.tREFI - tRFC + timing.burst;
+    EXPECT_GE(stream_end(timing, 4096), busy / a_period * timing.tREFI) << "tRFC " << tRFC;
+  }
+  const DramMemory usual{.overhead = 0};
+  const Cycle busy = 65536 * usual.burst;
+  EXPECT_GE(stream_end(usual, 65536),
+            busy / (usual.tREFI - usual.tRFC + usual.burst) * usual.tREFI);
+}
+
+TEST(DramMemory, FillsTheBusWithoutRefreshAndAfterAFirstRow) {
+  const DramMemory timing{.tREFI = 0, .overhead = 0};
+  EXPECT_EQ(stream_end(timing, 32), timing.tRCD + timing.CL + 32 * timing.burst);
+}
+
 TEST(RandomMemory, AnswersOutOfOrderWithinItsRange) {
   const auto memory = make_memory(RandomMemory{3, 5, 80});
   bool overtakes = false;
