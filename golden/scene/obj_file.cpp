@@ -1,11 +1,13 @@
 #include "golden/scene/obj_file.h"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <string_view>
 
 #include "golden/files/number_text.h"
+#include "golden/files/whole_file.h"
+#include "golden/scene/cut_polygon.h"
 
 namespace ptm::golden {
 namespace {
@@ -17,16 +19,14 @@ class ObjReader {
   explicit ObjReader(const std::filesystem::path& path) : path_(path) {}
 
   ObjMesh read() {
-    std::error_code ignored;
-    std::ifstream in(path_, std::ios::binary);
-    if (!in || std::filesystem::is_directory(path_, ignored)) {
-      throw InputError(path_.string(), "file", "no readable file", "a Wavefront OBJ");
-    }
+    std::istringstream in(read_text_file(path_, "a Wavefront OBJ", kLargestObj));
     std::string whole;
     for (std::string line; std::getline(in, line);) {
       ++line_;
+      if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
       while (!line.empty() && line.back() == '\r') line.pop_back();
-      const bool goes_on = line.ends_with('\\');
+      // A comment ends with its line, whatever its last character.
+      const bool goes_on = line.ends_with('\\') && line.find('#') == std::string::npos;
       if (goes_on) line.back() = ' ';
       whole += line;
       if (goes_on) continue;
@@ -67,7 +67,6 @@ class ObjReader {
     } else if (key == "vn") {
       const auto n = numbers(fields, 3);
       mesh_.normals.emplace_back(n[0], n[1], n[2]);
-      if (!(mesh_.normals.back().norm() > 0)) fail("a normal of no length", "a direction");
     } else if (key == "vt") {
       take_texcoord(fields);
     } else if (key == "f") {
@@ -125,6 +124,8 @@ class ObjReader {
     c.position = index(parts[0], mesh_.positions.size(), "v");
     if (!parts[1].empty()) c.texture = index(parts[1], mesh_.texcoords.size(), "vt");
     if (!parts[2].empty()) c.normal = index(parts[2], mesh_.normals.size(), "vn");
+    // Exporters write (0, 0, 0) where they know none: the face's own normal stands in.
+    if (c.normal >= 0 && mesh_.normals[static_cast<std::size_t>(c.normal)].isZero(0)) c.normal = -1;
     return c;
   }
 
@@ -137,18 +138,31 @@ class ObjReader {
 
   void take_face(const std::vector<std::string_view>& fields) {
     if (fields.size() < 4) fail(std::to_string(fields.size() - 1) + " corners", "three or more");
-    const ObjCorner first = corner(fields[1]);
-    ObjCorner before = corner(fields[2]);
-    for (std::size_t i = 3; i < fields.size(); ++i) {
-      const ObjCorner next = corner(fields[i]);
-      const ObjTriangle triangle{{first, before, next}, line_};
+    std::vector<ObjCorner> corners;
+    std::vector<Vec3> places;
+    for (std::size_t i = 1; i < fields.size(); ++i) {
+      corners.push_back(corner(fields[i]));
+      places.push_back(mesh_.positions[static_cast<std::size_t>(corners.back().position)]);
+    }
+    for (const auto& [a, b, c] : cut_polygon(places, first_of(corners))) {
+      const ObjTriangle triangle{{corners[a], corners[b], corners[c]}, line_};
       if (has_area(triangle)) mesh_.triangles.push_back(triangle);
-      before = next;
     }
   }
 
-  static constexpr std::array<std::string_view, 7> kPassed{"o",      "g", "s", "usemtl",
-                                                           "mtllib", "l", "p"};
+  /// The corner of the least position: the same one, wherever the face's list begins.
+  static std::size_t first_of(const std::vector<ObjCorner>& corners) {
+    const auto least = std::min_element(
+        corners.begin(), corners.end(),
+        [](const ObjCorner& a, const ObjCorner& b) { return a.position < b.position; });
+    return static_cast<std::size_t>(least - corners.begin());
+  }
+
+  // What names, groups, smooths or shades, and lines and points.
+  static constexpr std::array<std::string_view, 16> kPassed{
+      "o",     "g",        "s",        "usemtl", "mtllib",     "l",         "p",      "bevel",
+      "mg",    "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "maplib", "usemap"};
+  static constexpr std::uintmax_t kLargestObj = std::uintmax_t{1} << 30;
   std::filesystem::path path_;
   int line_ = 0;
   ObjMesh mesh_;

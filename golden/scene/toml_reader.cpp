@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string_view>
+
+#include "golden/files/whole_file.h"
 
 namespace ptm::golden {
 namespace {
@@ -33,15 +36,42 @@ std::string shown(double value) {
   return text.str();
 }
 
+/// The parser descends once a part of a dotted key, and a long one would end its stack.
+void refuse_deep_keys(const std::filesystem::path& path, std::string_view text) {
+  constexpr int most_parts = 64;
+  int line = 1, dots = 0;
+  char quote = 0;
+  bool comment = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') {
+      ++line, dots = 0, quote = 0, comment = false;
+    } else if (comment) {
+      continue;
+    } else if (quote != 0) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      comment = true;
+    } else if (std::string_view("=,{}[]").find(c) != std::string_view::npos) {
+      dots = 0;
+    } else if (c == '.' && ++dots >= most_parts) {
+      throw InputError(path.string(), "line " + std::to_string(line),
+                       "a key of more than " + std::to_string(most_parts) + " parts",
+                       "at most that many");
+    }
+  }
+}
+
 }  // namespace
 
 toml::table parse_toml(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    throw InputError(path.string(), "the file", "no such file", "a scene in TOML");
-  }
+  const std::string text = read_text_file(path, "a scene in TOML");
+  refuse_deep_keys(path, text);
   try {
-    return toml::parse_file(path.string());
+    return toml::parse(text, path.string());
   } catch (const toml::parse_error& problem) {
     throw InputError(path.string(),
                      "line " + std::to_string(problem.source().begin.line) + ", column " +
