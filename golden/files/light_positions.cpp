@@ -1,7 +1,6 @@
 #include "golden/files/light_positions.h"
 
 #include <charconv>
-#include <fstream>
 #include <iomanip>
 #include <optional>
 #include <sstream>
@@ -37,8 +36,7 @@ class Reader {
   explicit Reader(const fs::path& path) : path_(path) {}
 
   LightPositions read() {
-    std::ifstream in(path_, std::ios::binary);
-    if (!in || fs::is_directory(path_)) fail_file("no readable file");
+    std::istringstream in(read_text_file(path_, "a light position file (.lp)"));
     for (std::string line; std::getline(in, line);) {
       ++line_;
       std::string_view text = line;
@@ -51,9 +49,6 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void fail_file(const std::string& found) const {
-    throw InputError(path_.string(), "file", found, "a light position file (.lp)");
-  }
   [[noreturn]] void fail(const std::string& found, const std::string& expected) const {
     throw InputError(path_.string(), "line " + std::to_string(line_), found, expected);
   }

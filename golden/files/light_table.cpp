@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <sstream>
 #include <string_view>
 
 #include "golden/files/light_directions.h"
 #include "golden/files/number_text.h"
+#include "golden/files/whole_file.h"
 
 namespace ptm::golden {
 namespace {
@@ -23,10 +24,7 @@ struct Row {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::vector<Row> read_rows(const fs::path& table) {
-  std::ifstream in(table, std::ios::binary);
-  if (!in || fs::is_directory(table)) {
-    throw InputError(table.string(), "file", "no readable file", "a table of lights");
-  }
+  std::istringstream in(read_text_file(table, "a table of lights"));
   std::vector<Row> rows;
   int number = 0;
   for (std::string line; std::getline(in, line);) {

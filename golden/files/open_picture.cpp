@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "golden/files/input_error.h"
+#include "golden/files/whole_file.h"
 
 namespace ptm::golden {
 namespace {
@@ -45,10 +45,7 @@ void fail_picture(const std::filesystem::path& path, const std::string& place, s
 }
 
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
-    fail_picture(path, "file", "No such file or directory", kAPicture);
-  }
+  require_plain_file(path, kAPicture);
   OIIO::ImageSpec config;
   config["oiio:UnassociatedAlpha"] = 1;  // colours as stored: alpha is dropped, not multiplied in
   auto input = OIIO::ImageInput::open(path.string(), &config);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/files/encoded_picture.h"
 #include "golden/files/open_picture.h"
 #include "golden/files/whole_file.h"
 
@@ -91,15 +92,9 @@ void write_picture(const std::filesystem::path& path, const Image8& image) {
     throw std::invalid_argument("write_picture: an image of 1 or 3 channels is needed");
   }
   PendingFile pending(path);
-  const std::string name = pending.path().string();
-  const auto output = OIIO::ImageOutput::create(name);
-  if (!output) fail_picture(path, "output", OIIO::geterror(), "an extension of a picture format");
-  // No date and no history: the same samples give the same bytes.
-  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
-  const bool written = output->open(name, spec) &&
-                       output->write_image(OIIO::TypeDesc::UINT8, image.samples.data()) &&
-                       output->close();
-  if (!written) fail_picture(path, "output", output->geterror(), "a picture that can be written");
+  EncodedPicture encoded(path, image.width, image.height, image.channels);
+  encoded.rows(0, image.height, image.samples.data());
+  pending.write(encoded.finish());
   pending.commit();
 }
 

@@ -21,7 +21,6 @@ class PictureRowWriter {
 
  private:
   struct Output;
-  std::filesystem::path path_;
   PendingFile file_;
   std::unique_ptr<Output> output_;
   std::size_t row_;  ///< samples of one

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -56,6 +57,34 @@ void append_rest(std::FILE* file, const std::filesystem::path& path, const std::
   if (std::ferror(file) != 0) throw InputError(path.string(), "file", reason(), what);
 }
 
+/// What a symbolic link stands for, whether it exists or not: the link is to stay a link.
+std::filesystem::path link_target(std::filesystem::path path) {
+  std::error_code error;
+  for (int links = 0; std::filesystem::is_symlink(path, error); ++links) {
+    if (links == 40) cannot_write(path, "a loop of symbolic links");
+    const std::filesystem::path to = std::filesystem::read_symlink(path, error);
+    if (error) cannot_write(path, error.message());
+    path = path.parent_path() / to;  // an absolute `to` replaces the folder
+  }
+  return path;
+}
+
+/// Removes what a program that was killed left of an earlier attempt to write the same file.
+void remove_leftovers(const std::filesystem::path& folder, const std::string& begin) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(begin)) continue;
+    const auto process = parse_integer(
+        std::string_view(name).substr(begin.size(), name.find('-', begin.size()) - begin.size()),
+        1, 1 << 30);
+    const bool gone =
+        process && kill(static_cast<pid_t>(*process), 0) != 0 && errno == ESRCH;
+    std::error_code ignored;
+    if (gone) std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
 }  // namespace
 
 void require_plain_file(const std::filesystem::path& path, const std::string& what) {
@@ -105,7 +134,7 @@ std::string read_text_file(const std::filesystem::path& path, const std::string&
   return text;
 }
 
-PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(target)) {
+PendingFile::PendingFile(std::filesystem::path target) : target_(link_target(std::move(target))) {
   static std::atomic<unsigned> serial{0};
   std::error_code ignored;
   const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
@@ -120,7 +149,9 @@ PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(targe
   if (!target_.has_filename()) cannot_write(target_, "no file name");
   std::string name = ".";
   name += target_.stem().string();
-  name += ".part-" + std::to_string(getpid()) + "-" + std::to_string(serial++);
+  name += ".part-";
+  remove_leftovers(folder, name);
+  name += std::to_string(getpid()) + "-" + std::to_string(serial++);
   name += target_.extension().string();
   temporary_ = folder / name;
 }

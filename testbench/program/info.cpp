@@ -13,6 +13,7 @@
 
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
+#include "golden/files/whole_file.h"
 #include "testbench/program/commands.h"
 #include "testbench/run/hardware_map.h"
 #include "testbench/run/map_bound.h"
@@ -141,6 +142,7 @@ Json describe_picture(const std::filesystem::path& path) {
 }
 
 bool looks_like_map(const std::filesystem::path& path) {
+  golden::require_plain_file(path, "a .ptm file or a picture");
   if (path.extension() == ".ptm") return true;
   std::array<char, 4> head{};
   std::ifstream(path, std::ios::binary).read(head.data(), head.size());

@@ -1,7 +1,10 @@
 // ptmsim: the one program. Commands live in a file each; this one owns the exit codes.
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "golden/files/input_error.h"
 #include "testbench/program/commands.h"
@@ -18,6 +21,7 @@ int fail(ptm::testbench::ExitCode code, const char* message) {
 
 int main(int argc, char** argv) {
   using ptm::testbench::ExitCode;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of the write, not the end
   CLI::App app{"Hardware for Polynomial Texture Maps, and the means to trust it", "ptmsim"};
   app.require_subcommand(1);
   ptm::testbench::add_run_command(app);
@@ -33,13 +37,23 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
-    return code == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (code != 0) return static_cast<int>(ExitCode::usage);
   } catch (const ptm::golden::InputError& error) {
     return fail(ExitCode::bad_input, error.what());
   } catch (const ptm::testbench::ExitError& error) {
     return fail(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::bad_input, "memory: found too little, expected enough for this input");
   } catch (const std::exception& error) {
-    return fail(ExitCode::disagree, error.what());
+    // Not that models disagree: whoever finds that throws ExitError.
+    return fail(ExitCode::bad_input, error.what());
+  } catch (...) {
+    return fail(ExitCode::bad_input, "an error that does not say what it is");
+  }
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0) {
+    return fail(ExitCode::bad_input,
+                "standard output: found a place that takes no more, expected all to be written");
   }
   return static_cast<int>(ExitCode::fine);
 }

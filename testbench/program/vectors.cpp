@@ -36,8 +36,11 @@ void add_vectors_command(CLI::App& app) {
   command->add_option("--preset", request.preset, "Evaluator preset")
       ->check(CLI::IsMember({"paper8", "base", "wide"}))
       ->capture_default_str();
-  command->add_option("--count", request.count, "How many rows")->capture_default_str();
+  command->add_option("--count", request.count, "How many rows")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_option("--seed", request.seed, "Which operands: the same for every model")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--model", request.model, "Whose outputs")
       ->check(CLI::IsMember({"reference", "rtl", "pipeline"}))

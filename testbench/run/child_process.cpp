@@ -1,5 +1,6 @@
 #include "testbench/run/child_process.h"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,7 +19,9 @@ constexpr std::uint8_t kFine = 1;
 constexpr std::uint8_t kThrew = 2;
 constexpr int kThrewStatus = 70;
 
-[[noreturn]] void run_child(ResultFile& file, const ChildProcess::Work& work) {
+[[noreturn]] void run_child(ResultFile& file, const ChildProcess::Work& work, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // no model outlives the program that waits for it
+  if (getppid() != parent) std::_Exit(kThrewStatus);
   int status = 0;
   try {
     file.put(kFine);
@@ -68,9 +71,10 @@ void ResultFile::rewind() { std::rewind(file_.get()); }
 ChildProcess::ChildProcess(std::string what, const Work& work) : what_(std::move(what)) {
   std::cout.flush();
   std::cerr.flush();
+  const pid_t parent = getpid();
   child_ = fork();
   if (child_ < 0) throw std::system_error(errno, std::generic_category(), "fork for " + what_);
-  if (child_ == 0) run_child(file_, work);
+  if (child_ == 0) run_child(file_, work, parent);
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
