@@ -1,5 +1,8 @@
 #include "golden/fit/capture.h"
 
+#include <map>
+#include <system_error>
+
 #include "golden/files/light_table.h"
 
 namespace ptm::golden {
@@ -25,6 +28,25 @@ LightPositions read_lights(const CaptureRequest& request) {
                             : read_light_table(request.lights, request.source);
 }
 
+/// Refuses a picture that another light has already, under whatever name: lists whose folders are
+/// not there would else be read as one photograph under all lights.
+class TakenPictures {
+ public:
+  void take(const LitPicture& lit, const std::string& list) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::canonical(lit.picture, error);
+    const auto [at, first] = lines_.emplace(error ? lit.picture : whole, lit.line);
+    if (first) return;
+    throw InputError(list, "line " + std::to_string(lit.line),
+                     "the picture " + lit.picture.string() + ", which line " +
+                         std::to_string(at->second) + " has already",
+                     "a picture for each light, or --share-pictures");
+  }
+
+ private:
+  std::map<std::filesystem::path, int> lines_;  ///< by file, links resolved
+};
+
 Region region_of(const CaptureRequest& request, int width, int height) {
   if (!request.region) return {0, 0, width, height};
   const Region& r = *request.region;
@@ -46,7 +68,9 @@ Capture open_capture(const CaptureRequest& request) {
   Capture capture;
   capture.notes = std::move(lights.notes);
   const std::string& list = (request.lights.empty() ? request.source : request.lights).string();
+  TakenPictures taken;
   for (const LitPicture& lit : lights.pictures) {
+    if (!request.share_pictures) taken.take(lit, list);
     PictureRows photograph(lit.picture, request.linear);
     const int width = photograph.width(), height = photograph.height();
     if (capture.photographs.empty()) {

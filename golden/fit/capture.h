@@ -14,6 +14,7 @@ struct CaptureRequest {
   std::filesystem::path source;  ///< a .lp file, or with `lights` a folder of pictures
   std::filesystem::path lights;  ///< a light table; with `univariate` one number a picture
   bool univariate = false;
+  bool share_pictures = false;   ///< several lights may have the same picture
   bool linear = false;           ///< integer samples are sRGB and are decoded to linear light
   std::optional<Region> region;  ///< the part to fit; all of it without
 };

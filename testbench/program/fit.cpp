@@ -208,6 +208,9 @@ void add_input_options(CLI::App& command, FitArguments& a) {
                 "one parameter (focus, time): --lights holds one number a picture")
       ->needs(lights);
   command.add_option("--region", a.region, "X,Y,W,H: fit this part only, in pixels from top left");
+  command.add_flag("--share-pictures", a.job.capture.share_pictures,
+                   "let several lights have the same picture (default: an error, since a list "
+                   "whose folders are missing looks like that)");
   command.add_flag("--linear", a.job.capture.linear,
                    "decode sRGB and fit linear light (default: values as they are stored)");
   auto* hold_out = command

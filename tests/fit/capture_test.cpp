@@ -200,5 +200,25 @@ TEST(Capture, WantsAFolderWithATableAndATableWithAFolder) {
   EXPECT_NE(error_of(asked).find("found no folder"), std::string::npos);
 }
 
+TEST(Capture, RefusesAPictureThatTwoLightsShareUnlessAskedTo) {
+  const ScratchFolder folder;
+  PictureRowWriter picture(folder / "p.png", 2, 2);
+  picture.write(std::vector<std::uint8_t>{1, 2, 3, 4});
+  picture.commit();
+  std::filesystem::create_symlink("p.png", folder / "link.png");
+  const auto list = [&](const std::string& second) {
+    return request(folder.write("capture.lp", "2\na/p.png 0 0 1\n" + second + " 0.6 0 0.8\n"));
+  };
+  // A folder that is missing, the same name, a link, and a way round.
+  for (const std::string second : {"b\\p.png", "p.png", "link.png", "./p.png"}) {
+    CaptureRequest asked = list(second);
+    const std::string error = error_of(asked);
+    EXPECT_NE(error.find("line 3: found the picture"), std::string::npos) << error;
+    EXPECT_NE(error.find("which line 2 has already"), std::string::npos) << error;
+    asked.share_pictures = true;
+    EXPECT_EQ(error_of(asked), "no error");
+  }
+}
+
 }  // namespace
 }  // namespace ptm::golden

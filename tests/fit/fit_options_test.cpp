@@ -204,11 +204,11 @@ TEST_F(FitOptions, CountsSaturatedSamplesAndBlackTexels) {
   write("w.lp", "white.png 0 0 1\nblack.png 0.6 0 0.8\n");
   write("b.lp", "black.png 0 0 1\nblack.png 0.6 0 0.8\n");
   EXPECT_EQ(fit(quoted(file("w.lp"))).at("saturated_samples"), 36);
-  const json black = fit(quoted(file("b.lp")));
+  const json black = fit(quoted(file("b.lp")) + " --share-pictures");
   EXPECT_EQ(black.at("black_texels"), 12);
   EXPECT_EQ(black.at("stored_fit").at("rmse"), 0);
   for (const double scale : black.at("scale")) EXPECT_TRUE(std::isfinite(scale) && scale > 0);
-  const json hp = fit(quoted(file("b.lp")) + " --quantizer hp");
+  const json hp = fit(quoted(file("b.lp")) + " --share-pictures --quantizer hp");
   EXPECT_EQ(hp.at("stored_fit").at("rmse"), 0);
 }
 
