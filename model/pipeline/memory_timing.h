@@ -42,8 +42,10 @@ struct FixedMemory {
 ///     other open   precharge (tRAS after its activation at the earliest), tRP later activate
 ///
 /// Data follow CL after the read on one bus, in request order, `burst` cycles a line; a read waits
-/// until its data find the bus free. The answer arrives `overhead` cycles after the last. Commands do not start in the first tRFC cycles of
-/// each tREFI (the first one excepted), and find every row closed then; what has begun is finished.
+/// until its data find the bus free. The answer arrives `overhead` cycles after the last data.
+/// Commands do not start in the first tRFC cycles of each tREFI (the first one excepted), and find
+/// every row closed then. A row that is opened for a request just before a refresh is still read,
+/// unless that read has to wait for the bus: then the row is opened again after the refresh.
 struct DramMemory {
   int banks = 8;
   int page_lines = 32;  ///< lines of 64 bytes a row holds

@@ -66,7 +66,7 @@ TEST_F(Obj, CutsAPolygonWithACornerOnASideAndDropsWhatHasNoArea) {
 }
 
 TEST_F(Obj, CutsAConcaveFaceInTheSameWayFromEveryCorner) {
-  // A dart of area 3 / 2, whose corner 3 is reflex, and a comb with two teeth of area 4.
+  // A dart of area 3, whose corner at (1, 1) is reflex; below, a comb of three teeth.
   const std::string dart = "v 0 0 0\nv 3 0 0\nv 1 1 0\nv 0 0 0\nv 0 3 0\n";
   const std::array<std::string, 4> turns{"1 2 3 5", "2 3 5 1", "3 5 1 2", "5 1 2 3"};
   std::vector<std::array<int, 3>> first;
@@ -85,8 +85,9 @@ TEST_F(Obj, CutsAConcaveFaceInTheSameWayFromEveryCorner) {
     if (first.empty()) first = cut;
     EXPECT_EQ(cut, first) << turn;
   }
-  const ObjMesh comb = obj("v 0 0 0\nv 5 0 0\nv 5 2 0\nv 4 0.5 0\nv 3 2 0\nv 2 0.5 0\nv 1 2 0\n"
-                           "f 3 4 5 6 7 1 2\n");
+  const ObjMesh comb = obj(
+      "v 0 0 0\nv 5 0 0\nv 5 2 0\nv 4 0.5 0\nv 3 2 0\nv 2 0.5 0\nv 1 2 0\n"
+      "f 3 4 5 6 7 1 2\n");
   EXPECT_EQ(comb.triangles.size(), 5U);
   double shoelace = 0;
   for (std::size_t i = 0; i < 7; ++i) {
