@@ -14,11 +14,9 @@
 
 namespace ptm::golden {
 
-EncodedPicture::EncodedPicture(std::filesystem::path path, int width, int height, int channels)
+EncodedPicture::EncodedPicture(std::filesystem::path path, const OIIO::ImageSpec& spec)
     : path_(std::move(path)), output_(OIIO::ImageOutput::create(path_.string())) {
   if (!output_) fail_picture(path_, "output", OIIO::geterror(), "an extension of a picture format");
-  // No date and no history: the same samples give the same bytes.
-  const OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
   std::string name = path_.string();
   if (output_->supports("ioproxy")) {
     output_->set_ioproxy(&memory_);
@@ -53,7 +51,8 @@ std::vector<std::uint8_t> EncodedPicture::finish() {
     bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + count);
     at += count;
   }
-  // These codecs do not look whether a write succeeded: a file as long as the limit was cut by it.
+  // These codecs do not check their writes. A file as long as the process's size limit allows was
+  // cut there.
   rlimit limit{};
   if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && bytes.size() >= limit.rlim_cur) {
     fail_picture(path_, "output", std::strerror(EFBIG), "a picture that can be written");

@@ -9,13 +9,13 @@
 
 namespace ptm::golden {
 
-/// An 8-bit picture that OpenImageIO encodes into memory, rows from the top. Its codecs do not say
-/// so when a disk is full, and one of them ends the program; so nothing of theirs goes to a disk,
-/// and the bytes are written by PendingFile, which looks.
-/// Throws InputError about `path`, whose extension chooses the format.
+/// An 8-bit picture that OpenImageIO encodes into memory, rows from the top. Some of its codecs do
+/// not report a write that failed, and libjpeg ends the program then. So no codec writes to a
+/// disk: PendingFile writes the bytes and checks every write.
+/// Throws InputError about `path`, whose extension chooses the format; nothing is written to it.
 class EncodedPicture {
  public:
-  EncodedPicture(std::filesystem::path path, int width, int height, int channels);
+  EncodedPicture(std::filesystem::path path, const OIIO::ImageSpec& spec);
   ~EncodedPicture();
   EncodedPicture(const EncodedPicture&) = delete;
   EncodedPicture& operator=(const EncodedPicture&) = delete;

@@ -92,7 +92,9 @@ void write_picture(const std::filesystem::path& path, const Image8& image) {
     throw std::invalid_argument("write_picture: an image of 1 or 3 channels is needed");
   }
   PendingFile pending(path);
-  EncodedPicture encoded(path, image.width, image.height, image.channels);
+  // No date and no history: the same samples give the same bytes.
+  EncodedPicture encoded(
+      path, OIIO::ImageSpec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8));
   encoded.rows(0, image.height, image.samples.data());
   pending.write(encoded.finish());
   pending.commit();

@@ -5,6 +5,7 @@
 #include "golden/files/encoded_picture.h"
 
 namespace ptm::golden {
+
 struct PictureRowWriter::Output {
   EncodedPicture image;
 };
@@ -12,7 +13,7 @@ struct PictureRowWriter::Output {
 PictureRowWriter::PictureRowWriter(const std::filesystem::path& path, int width, int height,
                                    int channels)
     : file_(path),
-      output_(new Output{{path, width, height, channels}}),
+      output_(new Output{{path, OIIO::ImageSpec(width, height, channels, OIIO::TypeDesc::UINT8)}}),
       row_(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)) {}
 PictureRowWriter::~PictureRowWriter() = default;
 

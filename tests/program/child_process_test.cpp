@@ -2,6 +2,9 @@
 #include "testbench/run/child_process.h"
 
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <stdexcept>
@@ -16,6 +19,29 @@ std::string complaint(ChildProcess& child) {
     return error.what();
   }
   return "nothing";
+}
+
+TEST(ChildProcess, EndsWhenTheProgramThatStartedItIsKilled) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t program = fork();
+  ASSERT_GE(program, 0);
+  if (program == 0) {
+    ChildProcess child("waiting", [&](ResultFile&) {
+      if (write(ends[1], "w", 1) == 1) pause();
+    });
+    pause();
+  }
+  close(ends[1]);
+  char ready = 0;
+  ASSERT_EQ(read(ends[0], &ready, 1), 1);
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
+  // Only the child holds the other end now: the pipe is closed when it has ended.
+  pollfd closed{ends[0], POLLIN, 0};
+  EXPECT_EQ(poll(&closed, 1, 20000), 1);
+  EXPECT_EQ(read(ends[0], &ready, 1), 0);
+  close(ends[0]);
 }
 
 TEST(ChildProcess, HandsBackValuesAndVectorsInOrder) {

@@ -39,7 +39,7 @@ TEST_F(RefusedPlaces, SaysThatStandardOutputIsFull) {
 TEST_F(RefusedPlaces, WritesNoHalfPictureOfAnyFormatWhereTheDiskIsFull) {
   const auto source = map();
   const std::size_t before = count_files();
-  for (const std::string end : {"png", "bmp", "tga", "sgi", "jpg", "tif", "ppm"}) {
+  for (const std::string end : {"png", "bmp", "tga", "sgi", "jpg", "tif", "ppm", "gif", "jp2"}) {
     const auto out = file("picture." + end);
     const std::string command = "ulimit -f 1; " + tests::quoted(PTM_PROGRAM) + " render " +
                                 tests::quoted(source) + " --light 0.3,0.2 --size 512x512 --out " +
