@@ -110,6 +110,25 @@ TEST(DramMemory, FillsTheBusWithoutRefreshAndAfterAFirstRow) {
   EXPECT_EQ(stream_end(timing, 32), timing.tRCD + timing.CL + 32 * timing.burst);
 }
 
+TEST(DramMemory, OpensARowAgainThatWaitedForTheBusUntilARefresh) {
+  const DramMemory timing{.banks = 2,
+                          .page_lines = 1,
+                          .tRCD = 10,
+                          .tRP = 10,
+                          .CL = 10,
+                          .tRAS = 30,
+                          .burst = 50,
+                          .tREFI = 100,
+                          .tRFC = 40,
+                          .overhead = 0};
+  const auto memory = make_memory(timing);
+  // Line 0: activate 0, read 10, data 20 .. 70. Line 1, other bank: activate 1, read 60 when its
+  // data find the bus free, data 70 .. 120. Line 2, other row of the first bank: precharge 60,
+  // activate 70, could be read at 80, but the bus is taken until 120, so the read would be given
+  // at 110, in the refresh. It opens again at 140: read 150, data 160 .. 210.
+  EXPECT_EQ(answers(*memory, {{0, 0}, {1, 1}, {2, 2}}), (std::vector<Cycle>{70, 120, 210}));
+}
+
 TEST(RandomMemory, AnswersOutOfOrderWithinItsRange) {
   const auto memory = make_memory(RandomMemory{3, 5, 80});
   bool overtakes = false;
