@@ -8,6 +8,7 @@
 
 #include "golden/files/light_directions.h"
 #include "golden/files/number_text.h"
+#include "golden/files/pending_file.h"
 #include "golden/files/whole_file.h"
 
 namespace ptm::golden {
@@ -118,7 +119,7 @@ class Reader {
 
 LightPositions read_light_positions(const fs::path& path) { return Reader(path).read(); }
 
-void write_light_positions(const fs::path& path, const std::vector<LitPicture>& pictures) {
+std::string format_light_positions(const fs::path& path, const std::vector<LitPicture>& pictures) {
   std::ostringstream out;
   out << pictures.size() << '\n' << std::setprecision(17);
   for (const LitPicture& lit : pictures) {
@@ -126,9 +127,12 @@ void write_light_positions(const fs::path& path, const std::vector<LitPicture>& 
     for (const double c : lit.direction) out << ' ' << c;
     out << '\n';
   }
-  const std::string text = out.str();
+  return std::move(out).str();
+}
+
+void write_light_positions(const fs::path& path, const std::vector<LitPicture>& pictures) {
   PendingFile file(path);
-  file.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  file.write(format_light_positions(path, pictures));
   file.commit();
 }
 

@@ -31,8 +31,11 @@ struct LightPositions {
 /// no finite number, light (0, 0, 0); and if no light is left.
 [[nodiscard]] LightPositions read_light_positions(const std::filesystem::path& path);
 
-/// Writes what read_light_positions reads, names relative to the file's folder; temporary name,
-/// then rename. The line numbers are not used. Throws InputError if it cannot be written.
+/// What read_light_positions reads of a file at `path`, names relative to its folder. The line
+/// numbers are not used.
+[[nodiscard]] std::string format_light_positions(const std::filesystem::path& path,
+                                                 const std::vector<LitPicture>& pictures);
+/// Writes that to a temporary name, then renames. Throws InputError if it cannot be written.
 void write_light_positions(const std::filesystem::path& path,
                            const std::vector<LitPicture>& pictures);
 

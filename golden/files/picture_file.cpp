@@ -10,7 +10,7 @@
 
 #include "golden/files/encoded_picture.h"
 #include "golden/files/open_picture.h"
-#include "golden/files/whole_file.h"
+#include "golden/files/pending_file.h"
 
 namespace ptm::golden {
 namespace {
@@ -87,16 +87,20 @@ ImageReal read_picture_with_alpha(const std::filesystem::path& path) {
   return image;
 }
 
-void write_picture(const std::filesystem::path& path, const Image8& image) {
+std::vector<std::uint8_t> encode_picture(const std::filesystem::path& path, const Image8& image) {
   if (image.width < 1 || image.height < 1 || (image.channels != 1 && image.channels != 3)) {
-    throw std::invalid_argument("write_picture: an image of 1 or 3 channels is needed");
+    throw std::invalid_argument("a picture to write: an image of 1 or 3 channels is needed");
   }
-  PendingFile pending(path);
   // No date and no history: the same samples give the same bytes.
   EncodedPicture encoded(
       path, OIIO::ImageSpec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8));
   encoded.rows(0, image.height, image.samples.data());
-  pending.write(encoded.finish());
+  return encoded.finish();
+}
+
+void write_picture(const std::filesystem::path& path, const Image8& image) {
+  PendingFile pending(path);
+  pending.write(encode_picture(path, image));
   pending.commit();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "golden/files/image.h"
 #include "golden/files/input_error.h"
@@ -15,7 +17,12 @@ namespace ptm::golden {
 /// file has none, and is not multiplied in.
 [[nodiscard]] ImageReal read_picture_with_alpha(const std::filesystem::path& path);
 
-/// Writes 8-bit samples in the format of the extension, to a temporary name, then renames.
+/// A picture file of 8-bit samples in the format of the path's extension; nothing is written to
+/// that path. Throws InputError where the format cannot hold them.
+[[nodiscard]] std::vector<std::uint8_t> encode_picture(const std::filesystem::path& path,
+                                                       const Image8& image);
+
+/// Writes those bytes to a temporary name, then renames.
 void write_picture(const std::filesystem::path& path, const Image8& image);
 
 }  // namespace ptm::golden

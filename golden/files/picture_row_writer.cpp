@@ -1,6 +1,7 @@
 #include "golden/files/picture_row_writer.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "golden/files/encoded_picture.h"
 
@@ -24,8 +25,12 @@ void PictureRowWriter::write(std::span<const std::uint8_t> rows) {
   next_row_ = end;
 }
 
+void PictureRowWriter::finish() {
+  if (!std::exchange(finished_, true)) file_.write(output_->image.finish());
+}
+
 void PictureRowWriter::commit() {
-  file_.write(output_->image.finish());
+  finish();
   file_.commit();
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "golden/files/whole_file.h"
+#include "golden/files/pending_file.h"
 
 namespace ptm::golden {
 
@@ -17,6 +17,8 @@ class PictureRowWriter {
   PictureRowWriter(const std::filesystem::path& path, int width, int height, int channels = 1);
   ~PictureRowWriter();
   void write(std::span<const std::uint8_t> rows);
+  /// As PendingFile's; no row may follow.
+  void finish();
   void commit();
 
  private:
@@ -25,6 +27,7 @@ class PictureRowWriter {
   std::unique_ptr<Output> output_;
   std::size_t row_;  ///< samples of one
   int next_row_ = 0;
+  bool finished_ = false;
 };
 
 }  // namespace ptm::golden

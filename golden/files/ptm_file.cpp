@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "golden/files/coded_payload.h"
+#include "golden/files/pending_file.h"
 #include "golden/files/plane_codec.h"
 #include "golden/files/ptm_header.h"
 #include "golden/files/raw_payload.h"
@@ -105,10 +106,16 @@ std::vector<std::uint8_t> format_ptm(const PtmMap& map, const PtmWriteOptions& o
 
 std::vector<std::string> write_ptm(const std::filesystem::path& path, const PtmMap& map,
                                    const PtmWriteOptions& options) {
-  FormattedPtm formatted = format_with_notes(map, options);
   PendingFile file(path);
-  file.write(formatted.bytes);
+  std::vector<std::string> notes = write_ptm(file, map, options);
   file.commit();
+  return notes;
+}
+
+std::vector<std::string> write_ptm(PendingFile& file, const PtmMap& map,
+                                   const PtmWriteOptions& options) {
+  FormattedPtm formatted = format_with_notes(map, options);
+  file.write(formatted.bytes);
   return std::move(formatted.notes);
 }
 

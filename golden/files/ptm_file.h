@@ -26,6 +26,8 @@ struct PtmFileInfo {
   std::vector<std::string> notes;  ///< odd but harmless things met while reading
 };
 
+class PendingFile;
+
 struct PtmFile {
   PtmMap map;
   PtmFileInfo info;
@@ -52,6 +54,9 @@ struct PtmWriteOptions {
 
 /// Writes to a temporary name and renames. Returns what a user should know (notes, one a line).
 std::vector<std::string> write_ptm(const std::filesystem::path& path, const PtmMap& map,
+                                   const PtmWriteOptions& options = {});
+/// The same, into a file that the caller commits.
+std::vector<std::string> write_ptm(PendingFile& file, const PtmMap& map,
                                    const PtmWriteOptions& options = {});
 /// The bytes that write_ptm writes.
 [[nodiscard]] std::vector<std::uint8_t> format_ptm(const PtmMap& map,

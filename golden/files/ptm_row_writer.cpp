@@ -1,6 +1,8 @@
 #include "golden/files/ptm_row_writer.h"
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "golden/files/ptm_header.h"
 #include "golden/files/raw_payload.h"
@@ -18,18 +20,13 @@ std::vector<std::size_t> block_bytes(MapKind kind) {
 }  // namespace
 
 PtmRowWriter::PtmRowWriter(const std::filesystem::path& path, const PtmMap& shape)
-    : path_(path), shape_(shape), file_(path), out_(file_.path(), std::ios::binary) {
-  if (!out_) fail("no file can be made there");
+    : shape_(shape), file_(path) {
   PtmFileInfo info;
   info.version = "PTM_1.2";
   info.format = "PTM_FORMAT_" + format_name(shape.kind, Coding::raw);
   const std::string header = format_ptm_header(shape, info);
   header_bytes_ = header.size();
-  out_ << header;
-}
-
-void PtmRowWriter::fail(const std::string& found) const {
-  throw InputError(path_.string(), "output", found, "a place where a file can be written");
+  file_.write_at(0, {reinterpret_cast<const std::uint8_t*>(header.data()), header.size()});
 }
 
 void PtmRowWriter::write(int first_row, int rows, std::span<const std::uint8_t> coef,
@@ -47,21 +44,13 @@ void PtmRowWriter::write(int first_row, int rows, std::span<const std::uint8_t> 
   const std::vector<std::uint8_t> payload = format_raw_payload(part, false);
   const auto below = static_cast<std::size_t>(shape_.height - first_row - rows) *
                      static_cast<std::size_t>(shape_.width);
-  std::size_t block = header_bytes_, from = 0;
+  std::uint64_t block = header_bytes_;
+  std::size_t from = 0;
   for (const std::size_t bytes : block_bytes(shape_.kind)) {
-    out_.seekp(static_cast<std::streamoff>(block + below * bytes));
-    out_.write(reinterpret_cast<const char*>(payload.data() + from),
-               static_cast<std::streamsize>(part.texels() * bytes));
+    file_.write_at(block + below * bytes, std::span(payload).subspan(from, part.texels() * bytes));
     block += shape_.texels() * bytes;
     from += part.texels() * bytes;
   }
-  if (!out_) fail("a write that failed");
-}
-
-void PtmRowWriter::commit() {
-  out_.close();
-  if (!out_) fail("a write that failed");
-  file_.commit();
 }
 
 }  // namespace ptm::golden

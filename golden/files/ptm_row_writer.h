@@ -1,13 +1,10 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <span>
-#include <string>
-#include <vector>
 
+#include "golden/files/pending_file.h"
 #include "golden/files/ptm_map.h"
-#include "golden/files/whole_file.h"
 
 namespace ptm::golden {
 
@@ -21,15 +18,13 @@ class PtmRowWriter {
   /// Row 0 is the top; layouts as in PtmMap. Throws InputError.
   void write(int first_row, int rows, std::span<const std::uint8_t> coef,
              std::span<const std::uint8_t> color);
-  void commit();
+  /// As PendingFile's.
+  void finish() { file_.finish(); }
+  void commit() { file_.commit(); }
 
  private:
-  [[noreturn]] void fail(const std::string& found) const;
-
-  std::filesystem::path path_;
   PtmMap shape_;
   PendingFile file_;
-  std::ofstream out_;
   std::uint64_t header_bytes_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,24 +31,5 @@ void require_plain_file(const std::filesystem::path& path, const std::string& wh
 /// The same for a file of text without a mark at its beginning.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path, const std::string& what,
                                          std::uintmax_t most_bytes = kLargestText);
-
-/// A file that is written under a temporary name beside its target and renamed when whole. Without
-/// commit() nothing stays behind. The temporary name keeps the target's extension.
-class PendingFile {
- public:
-  /// Throws InputError where the target's folder is missing or the target is not a plain file.
-  explicit PendingFile(std::filesystem::path target);
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-  ~PendingFile();
-
-  [[nodiscard]] const std::filesystem::path& path() const { return temporary_; }
-  /// Throws InputError.
-  void write(std::span<const std::uint8_t> bytes) const;
-  void commit();
-
- private:
-  std::filesystem::path target_, temporary_;
-};
 
 }  // namespace ptm::golden

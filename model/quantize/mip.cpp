@@ -1,6 +1,7 @@
 #include "model/quantize/mip.h"
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "model/quantize/grid.h"
@@ -14,18 +15,19 @@ struct Tap {
 };
 
 /// Which of `side` samples a sample of the half covers, and by what share of it.
-std::vector<std::vector<Tap>> cover(int side) {
-  const int count = half_side(side);
+std::vector<std::vector<Tap>> cover(std::int64_t side) {
+  const std::int64_t count = half_side(static_cast<int>(side));
   std::vector<std::vector<Tap>> taps(static_cast<std::size_t>(count));
   // In units of 1 / count of a source sample everything is an integer: sample s spans
   // [s count, (s + 1) count), target i spans [i side, (i + 1) side).
-  for (int i = 0; i < count; ++i) {
-    for (int s = i * side / count; s * count < (i + 1) * side; ++s) {
-      const int first = std::max(s * count, i * side);
-      const int last = std::min((s + 1) * count, (i + 1) * side);
+  for (std::int64_t i = 0; i < count; ++i) {
+    for (std::int64_t s = i * side / count; s * count < (i + 1) * side; ++s) {
+      const std::int64_t first = std::max(s * count, i * side);
+      const std::int64_t last = std::min((s + 1) * count, (i + 1) * side);
       if (last > first) {
         taps[static_cast<std::size_t>(i)].push_back(
-            {static_cast<std::size_t>(s), static_cast<double>(last - first) / side});
+            {static_cast<std::size_t>(s),
+             static_cast<double>(last - first) / static_cast<double>(side)});
       }
     }
   }
@@ -35,7 +37,7 @@ std::vector<std::vector<Tap>> cover(int side) {
 }  // namespace
 
 std::vector<double> halve(std::span<const double> values, int width, int height, int channels) {
-  if (width < 1 || height < 1 || width > (1 << 15) || height > (1 << 15) || channels < 1) {
+  if (width < 1 || height < 1 || channels < 1) {
     throw std::invalid_argument("a level of " + std::to_string(width) + " x " +
                                 std::to_string(height) + " x " + std::to_string(channels));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -13,7 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "golden/files/pending_file.h"
 #include "golden/files/ptm_file.h"
+#include "model/quantize/mip.h"
 #include "testbench/compare/lit_difference.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
@@ -114,6 +117,27 @@ std::string level_name(const std::string& output, std::size_t level) {
   return path.replace_extension("." + std::to_string(level) + ending).string();
 }
 
+/// Levels that an earlier conversion of a larger map left behind ours: files that halve each other
+/// down to one texel, as a chain's do. Anything else is not touched.
+std::vector<std::string> stale_levels(const std::string& output, std::size_t level) {
+  std::vector<std::string> stale;
+  for (int width = 0, height = 0; width != 1 || height != 1; ++level) {
+    stale.push_back(level_name(output, level));
+    golden::PtmMap map;
+    try {
+      map = golden::read_ptm(stale.back()).map;
+    } catch (const golden::InputError&) {
+      return {};
+    }
+    const bool half =
+        map.width == quantize::half_side(width) && map.height == quantize::half_side(height);
+    if (width != 0 && !half) return {};
+    width = map.width;
+    height = map.height;
+  }
+  return stale;
+}
+
 Json describe_difference(const golden::PtmMap& before, const golden::PtmMap& after) {
   const LitDifference lit = compare_lit(before, after, comparison_lights());
   return {{"lights", comparison_lights().size()},
@@ -126,16 +150,17 @@ Json describe_difference(const golden::PtmMap& before, const golden::PtmMap& aft
           {"ssim_least", lit.ssim_least}};
 }
 
-/// Writes a map, reads it back and says how the file differs from it.
+/// Writes a map, reads it back and says how the file differs from it. The file has its name when it
+/// is committed.
 Json write_and_check(const ConvertOptions& options, const std::string& name,
-                     const golden::PtmMap& map) {
+                     const golden::PtmMap& map, golden::PendingFile& file) {
   std::vector<std::string> notes;
   try {
-    notes = golden::write_ptm(name, map, write_options(options));
+    notes = golden::write_ptm(file, map, write_options(options));
   } catch (const std::invalid_argument& error) {
     throw ExitError(ExitCode::usage, error.what());
   }
-  const golden::PtmFile output = golden::read_ptm(name);
+  const golden::PtmFile output = golden::read_ptm(file.path());
   const double payload =
       8.0 * static_cast<double>(output.info.file_bytes - output.info.header_bytes);
   Json report{{"file", name},
@@ -201,17 +226,29 @@ void convert(const ConvertOptions& options) {
   Json steps = Json::array();
   const golden::PtmMap map = apply_steps(input.map, options, steps);
   Json report;
+  std::deque<golden::PendingFile> files;  // all levels appear, or none
+  std::vector<std::string> stale;
+  const auto write = [&](const std::string& name, const golden::PtmMap& level) {
+    return write_and_check(options, name, level, files.emplace_back(name));
+  };
   if (options.mip) {
     const std::vector<golden::PtmMap> chain = mip_chain(
         map, reference::find_preset(options.preset.empty() ? "base" : options.preset).config);
     Json levels = Json::array();
     for (std::size_t level = 0; level < chain.size(); ++level) {
-      levels.push_back(write_and_check(options, level_name(options.output, level), chain[level]));
+      levels.push_back(write(level_name(options.output, level), chain[level]));
     }
     report["levels"] = levels;
+    stale = stale_levels(options.output, chain.size());
     if (chain.front() != map) report["lit"] = describe_difference(map, chain.front());
   } else {
-    report = write_and_check(options, options.output, map);
+    report = write(options.output, map);
+  }
+  {
+    const golden::HeldSignals held;
+    for (golden::PendingFile& file : files) file.commit();
+    std::error_code kept;  // the levels that were asked for are there
+    for (const std::string& name : stale) std::filesystem::remove(name, kept);
   }
   report["input_bytes"] = input.info.file_bytes;
   report["steps"] = steps;

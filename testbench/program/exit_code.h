@@ -10,7 +10,7 @@ enum class ExitCode : int {
   disagree = 1,     ///< the models disagree, or a stated tolerance is broken
   usage = 2,        ///< wrong usage
   bad_input = 3,    ///< golden::InputError: file, place, found, expected
-  missing_tool = 4  ///< a needed tool is missing; the message names the package
+  missing_tool = 4  ///< a needed tool is missing (the message names the package) or fails
 };
 
 /// Ends the program with that code and message.

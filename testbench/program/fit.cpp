@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "golden/files/whole_file.h"
+#include "golden/files/pending_file.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/fit_job.h"
@@ -177,17 +177,21 @@ void run(const FitArguments& arguments) {
   std::optional<golden::PendingFile> table;
   if (!arguments.table.empty()) table.emplace(arguments.table);
   std::unique_ptr<Progress> progress;
-  const FitOutcome outcome = run_fit(job, [&](std::size_t, std::size_t total) {
-    if (!progress) progress = std::make_unique<Progress>("fit", total);
-    progress->step();
-  });
+  std::string text;
+  Json out;
+  (void)run_fit(
+      job,
+      [&](std::size_t, std::size_t total) {
+        if (!progress) progress = std::make_unique<Progress>("fit", total);
+        progress->step();
+      },
+      [&](const FitOutcome& outcome) {
+        out = to_json(arguments, job, outcome);
+        text = out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        if (table) table->write(text);
+      });
+  if (table) table->commit();
   progress.reset();
-  const Json out = to_json(arguments, job, outcome);
-  const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (table) {
-    table->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    table->commit();
-  }
   if (arguments.json) {
     std::cout << text;
   } else {

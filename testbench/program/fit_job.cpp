@@ -52,8 +52,9 @@ Capture split_off(Capture& capture, int n) {
 
 class Runner {
  public:
-  Runner(const FitJob& job, const std::function<void(std::size_t, std::size_t)>& step)
-      : job_(job), step_(step), storage_(job.quantizer, job.config) {
+  Runner(const FitJob& job, const std::function<void(std::size_t, std::size_t)>& step,
+         const std::function<void(const FitOutcome&)>& whole)
+      : job_(job), step_(step), whole_(whole), storage_(job.quantizer, job.config) {
     shape_.kind = job.fit.kind;
     shape_.lum_matrix = golden::jfif_lum_matrix();
   }
@@ -85,9 +86,13 @@ class Runner {
       writer.write(band_.first_row, band_.rows, bytes_.all(), color_);
       if (step_) step_(++steps_, total);
     }
+    judge_->finish(out_);
+    if (residual_) residual_->finish();
+    writer.finish();
+    if (whole_) whole_(out_);
+    const golden::HeldSignals held;
     if (residual_) residual_->commit();
     writer.commit();
-    judge_->finish(out_);
     return std::move(out_);
   }
 
@@ -258,6 +263,7 @@ class Runner {
 
   const FitJob& job_;
   const std::function<void(std::size_t, std::size_t)>& step_;
+  const std::function<void(const FitOutcome&)>& whole_;
   std::size_t steps_ = 0;
   FitOutcome out_;
   MapStorage storage_;
@@ -279,8 +285,9 @@ class Runner {
 
 }  // namespace
 
-FitOutcome run_fit(const FitJob& job, const std::function<void(std::size_t, std::size_t)>& step) {
-  return Runner(job, step).run();
+FitOutcome run_fit(const FitJob& job, const std::function<void(std::size_t, std::size_t)>& step,
+                   const std::function<void(const FitOutcome&)>& whole) {
+  return Runner(job, step, whole).run();
 }
 
 }  // namespace ptm::testbench

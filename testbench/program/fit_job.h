@@ -53,8 +53,10 @@ struct FitOutcome {
 };
 
 /// Fits, stores, judges and writes, in bands of bounded memory: docs/design/streaming-fit.md.
-/// `step(done, total)` is called after each band. Throws InputError; then no output is there.
+/// `step(done, total)` is called after each band; `whole(outcome)` when all outputs are written and
+/// none has its name yet. Throws InputError, and what `whole` throws; then no output is there.
 [[nodiscard]] FitOutcome run_fit(const FitJob& job,
-                                 const std::function<void(std::size_t, std::size_t)>& step = {});
+                                 const std::function<void(std::size_t, std::size_t)>& step = {},
+                                 const std::function<void(const FitOutcome&)>& whole = {});
 
 }  // namespace ptm::testbench

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <new>
 
+#include "golden/files/ending_signals.h"
 #include "golden/files/input_error.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
@@ -21,6 +22,7 @@ int fail(ptm::testbench::ExitCode code, const char* message) {
 
 int main(int argc, char** argv) {
   using ptm::testbench::ExitCode;
+  ptm::golden::catch_ending_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of the write, not the end
   CLI::App app{"Hardware for Polynomial Texture Maps, and the means to trust it", "ptmsim"};
   app.require_subcommand(1);

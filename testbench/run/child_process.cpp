@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "golden/files/ending_signals.h"
+
 namespace ptm::testbench {
 namespace {
 
@@ -20,6 +22,7 @@ constexpr std::uint8_t kThrew = 2;
 constexpr int kThrewStatus = 70;
 
 [[noreturn]] void run_child(ResultFile& file, const ChildProcess::Work& work, pid_t parent) {
+  golden::leave_ending_signals();
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // no model outlives the program that waits for it
   if (getppid() != parent) std::_Exit(kThrewStatus);
   int status = 0;

@@ -13,12 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::regex kStandard("[a-z_0-9]+|sys/[a-z]+\\.h|unistd\\.h");
+const std::regex kStandard("[a-z_0-9]+|sys/[a-z]+\\.h|unistd\\.h|fcntl\\.h");
 const std::regex kOiio("OpenImageIO/.*");
 const std::regex kEigen("Eigen/.*");
 const std::regex kHighway("hwy/.*");
 const std::regex kEffects("effects/[a-z_]+\\.(h|def|inc)");  ///< written by cmake/PtmEffects.cmake
-const std::regex kPosix("dlfcn\\.h|fcntl\\.h|spawn\\.h");    ///< libraries and programs of its own
+const std::regex kPosix("dlfcn\\.h|spawn\\.h");              ///< libraries and programs of its own
 const std::regex kSystemC("systemc|tlm|tlm_utils/.*");
 
 struct Layer {

@@ -133,6 +133,9 @@ TEST_F(ReportFiles, AppearTogetherOrNotAtAll) {
     files.write("a.txt", std::string_view("half"));
     EXPECT_FALSE(fs::exists(folder_ / "a.txt"));
   }
+  EXPECT_FALSE(fs::exists(folder_)) << "it was made for them";
+  fs::create_directories(folder_);
+  { StagedFiles(folder_).write("a.txt", std::string_view("half")); }
   EXPECT_TRUE(names().empty());
 }
 
