@@ -48,7 +48,7 @@ struct Run {
 
 Run run(const std::vector<std::string>& command, const Folder& folder) {
   if (!find_program(command.front())) {
-    throw MissingTool("to prove, " + command.front() + " is needed: install the package yosys");
+    throw ToolError("to prove, " + command.front() + " is needed: install the package yosys");
   }
   const auto begin = std::chrono::steady_clock::now();
   Run made;

@@ -8,7 +8,7 @@
 
 /// Asks Yosys and ABC, which comes with it, whether something holds for every input.
 ///
-/// All three throw MissingTool without yosys, and std::runtime_error with the end of its output if
+/// All three throw ToolError without yosys, and std::runtime_error with the end of its output if
 /// it cannot read what it is given. `files` are SystemVerilog, a package before its users, absolute
 /// or as seen from the project's root.
 namespace ptm::testbench {

@@ -1,7 +1,5 @@
 #include "testbench/rtl/unit_cells.h"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,6 +8,7 @@
 #include "testbench/rtl/command.h"
 #include "testbench/rtl/variant_build.h"
 #include "testbench/rtl/variant_cache.h"
+#include "testbench/rtl/work_folder.h"
 #include "testbench/rtl/yosys.h"
 
 namespace ptm::testbench {
@@ -17,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string script(const std::vector<std::string>& parameters) {
-  std::vector<std::string> files = rtl_sources("rtl/files.f");
-  for (const std::string& file : rtl_sources("rtl/unit.f")) files.push_back(file);
+std::string script(const std::vector<std::string>& parameters, const fs::path& root) {
+  std::vector<std::string> files = listed_sources(root, "rtl/files.f");
+  for (const std::string& file : listed_sources(root, "rtl/unit.f")) files.push_back(file);
   for (const std::string& file : variant_build().effect_files) files.push_back(file);
   std::string text = read_verilog(files) + "; chparam";
   for (const std::string& parameter : parameters) {
@@ -55,15 +54,15 @@ UnitCells read_counts(const fs::path& log) {
 
 UnitCells count_unit_cells(const reference::EvalConfig& config, const reference::UnitConfig& unit) {
   if (!find_program("yosys")) {
-    throw MissingTool("to count cells yosys is needed: install the package yosys");
+    throw ToolError("to count cells yosys is needed: install the package yosys");
   }
-  const fs::path log =
-      fs::temp_directory_path() / ("ptmsim-cells-" + std::to_string(getpid()) + ".log");
-  const int status = run_command({"yosys", "-p", script(rtl_parameters(config, unit))}, log,
-                                 variant_build().source_root);
+  const WorkFolder work(fs::temp_directory_path() / "ptmsim-cells");
+  unpack_sources(work.path());
+  const fs::path log = work.path() / "log";
+  const int status = run_command({"yosys", "-p", script(rtl_parameters(config, unit), work.path())},
+                                 log, work.path(), {"TMPDIR=" + work.path().string()});
   const UnitCells counts = read_counts(log);
-  fs::remove(log);
-  if (status != 0 || counts.cells == 0) throw std::runtime_error("yosys failed to read the RTL");
+  if (status != 0 || counts.cells == 0) throw ToolError("yosys failed to read the RTL");
   return counts;
 }
 

@@ -16,8 +16,8 @@ struct UnitCells {
   bool operator==(const UnitCells&) const = default;
 };
 
-/// Some four seconds. Throws MissingTool without yosys, std::runtime_error with the end of its
-/// output if it fails.
+/// Some four seconds. Throws ToolError without yosys, or if it fails; golden::InputError where the
+/// folder for temporary files cannot be written.
 [[nodiscard]] UnitCells count_unit_cells(const reference::EvalConfig& config,
                                          const reference::UnitConfig& unit);
 

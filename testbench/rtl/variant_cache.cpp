@@ -2,82 +2,42 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
+#include <cctype>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
-#include <iomanip>
+#include <optional>
 #include <sstream>
-#include <string_view>
 #include <system_error>
 
+#include "golden/files/ending_signals.h"
+#include "golden/files/folder_claim.h"
+#include "golden/files/input_error.h"
 #include "testbench/rtl/command.h"
+#include "testbench/rtl/digest.h"
+#include "testbench/rtl/sealed_file.h"
 #include "testbench/rtl/variant_build.h"
+#include "testbench/rtl/work_folder.h"
 
 namespace ptm::testbench {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// FNV-1a of 64 bits, twice from different beginnings: a name, not a defence.
-class Digest {
- public:
-  void add(std::string_view bytes) {
-    for (const char byte : bytes) {
-      for (std::uint64_t& half : half_) {
-        half = (half ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-      }
-    }
-    for (std::uint64_t& half : half_) half = (half ^ 0x100U) * 0x100000001b3U;  // where it ends
-  }
-  [[nodiscard]] std::string text() const {
-    std::ostringstream out;
-    out << std::hex << std::setfill('0');
-    for (const std::uint64_t half : half_) out << std::setw(16) << half;
-    return out.str();
-  }
-
- private:
-  std::array<std::uint64_t, 2> half_{0xcbf29ce484222325U, 0x84222325cbf29ce4U};
-};
-
-void add_file(const fs::path& path, Digest& digest) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  digest.add(path.filename().string());
-  digest.add(content.str());
-}
-
-/// Every file below a folder whose name ends so, in an order that does not depend on the file
-/// system.
-void add_folder(const fs::path& folder, std::string_view end, Digest& digest) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const bool wanted = entry.path().string().ends_with(end);
-    if (wanted && entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) add_file(file, digest);
-}
-
 std::string key_of(const std::vector<std::string>& parameters) {
   const VariantBuild& build = variant_build();
-  const fs::path root = build.source_root;
   Digest digest;
   for (const std::string& parameter : parameters) digest.add(parameter);
   digest.add(build.tools);
   for (const std::string& option : build.options) digest.add(option);
-  for (const char* folder : {"rtl", "testbench/sv"}) add_folder(root / folder, "", digest);
-  for (const char* folder : {"testbench/rtl", "model/reference", "model/pipeline"}) {
-    add_folder(root / folder, ".h", digest);  // what the harness includes
+  for (const EmbeddedSource& source : embedded_sources()) {
+    digest.add(source.name);
+    digest.add(source.text);
   }
-  add_file(root / "cmake/PtmVerilate.cmake", digest);
-  add_file(root / "testbench/rtl/unit_variant.cpp.in", digest);
-  for (const std::string& file : build.effect_files) add_file(file, digest);
   return digest.text();
 }
 
@@ -92,9 +52,15 @@ fs::path cache_folder() {
   return fs::temp_directory_path() / "ptmsim";
 }
 
+std::string text_of(const fs::path& log) {
+  std::ostringstream text;
+  text << std::ifstream(log).rdbuf();
+  return text.str();
+}
+
 /// The last lines of a log, for an error.
-std::string tail(const fs::path& log) {
-  std::ifstream file(log);
+std::string tail(const std::string& log) {
+  std::istringstream file(log);
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   std::string text;
@@ -105,69 +71,122 @@ std::string tail(const fs::path& log) {
 
 void need(const std::string& tool, const char* package) {
   if (find_program(tool)) return;
-  throw MissingTool(
-      "this unit is not among those that come with the build, and to build it " + tool +
-      " is needed: install the package " + package);
+  throw ToolError("this unit is not among those that come with the build, and to build it " + tool +
+                  " is needed: install the package " + package);
 }
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!error) return;
-  throw UnusableCache(folder.string(), error.message());
+  if (error) throw UnusableCache(folder.string(), error.message());
 }
 
-/// What a program that was ended while it built left behind.
-void remove_leftovers(const fs::path& library) {
-  const std::string begin = library.filename().string() + ".";
-  for (const fs::directory_entry& entry : fs::directory_iterator(library.parent_path())) {
-    const bool ours = entry.path().filename().string().starts_with(begin);
-    std::error_code ignored;
-    if (ours && entry.is_directory()) fs::remove_all(entry.path(), ignored);
+/// Why a tool that failed could not write, empty if that is not why. Some say so, in C's words;
+/// some stop without a word, and what follows them stumbles over half a file. So it is tried.
+std::string disk_fault(const std::string& log, const fs::path& folder) {
+  for (const int error : {ENOSPC, EDQUOT, EFBIG, EROFS}) {
+    std::string words = std::generic_category().message(error);
+    if (log.find(words) != std::string::npos) return words;
+    words.front() = static_cast<char>(std::tolower(words.front()));  // as the linker writes it
+    if (log.find(words) != std::string::npos) return std::generic_category().message(error);
   }
+  errno = 0;
+  std::ofstream probe(folder / "probe", std::ios::binary);
+  probe << std::string(1 << 20, 'x');
+  probe.close();
+  return probe ? "" : std::generic_category().message(errno);
 }
 
-void run_tool(const std::vector<std::string>& command, const fs::path& log) {
-  if (run_command(command, log) == 0) return;
-  throw std::runtime_error("building the RTL unit failed:" + tail(log));
-}
-
-/// A folder that is removed whatever happens.
-class Workplace {
+/// A file in memory: what tools say of a full disk must not go to that disk.
+class Log {
  public:
-  explicit Workplace(fs::path path) : path_(std::move(path)) { fs::create_directories(path_); }
-  ~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
+  Log() : file_(memfd_create("ptmsim-log", MFD_CLOEXEC)) {
+    if (file_ < 0) throw std::system_error(errno, std::generic_category(), "file in memory");
   }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
+  ~Log() { close(file_); }
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+  [[nodiscard]] fs::path path() const { return "/proc/self/fd/" + std::to_string(file_); }
 
  private:
-  fs::path path_;
+  int file_;
 };
 
-/// While it stands, no other program builds the same library.
+void run_tool(const std::vector<std::string>& command, const fs::path& work) {
+  const Log file;
+  const fs::path log = file.path();
+  // Their own temporary files go with the folder.
+  const int status = run_command(command, log, ".", {"LC_ALL=C", "TMPDIR=" + work.string()});
+  if (status == 0) return;
+  const std::string said = text_of(log);
+  if (const std::string fault = disk_fault(said, work); !fault.empty()) {
+    throw UnusableCache(work.parent_path().string(), fault);
+  }
+  throw ToolError("building the RTL unit failed: " + command.front() + " ended with status " +
+                  std::to_string(status) + ":" + tail(said));
+}
+
+/// While it stands, no other program builds the same library. The file has a temporary name, so
+/// that the next program removes what is left of one that was killed; it must have claimed the
+/// folder as this one has.
 class BuildLock {
  public:
-  explicit BuildLock(const fs::path& file) : file_(open(file.c_str(), O_RDWR | O_CREAT, 0644)) {
-    if (file_ < 0 || flock(file_, LOCK_EX) != 0) {
-      throw std::system_error(errno, std::generic_category(), file.string());
-    }
+  explicit BuildLock(const fs::path& library)
+      : path_(library.parent_path() /
+              std::string(1, '.').append(library.stem().string()).append(".part-0-0.lock")) {
+    do {
+      if (file_ >= 0) close(file_);
+      file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+      if (file_ < 0 || flock(file_, LOCK_EX) != 0) {
+        throw UnusableCache(path_.parent_path().string(), std::generic_category().message(errno));
+      }
+    } while (!is_current());
+    registered_.emplace(path_);
   }
-  ~BuildLock() { close(file_); }
+  ~BuildLock() {
+    unlink(path_.c_str());
+    close(file_);
+  }
   BuildLock(const BuildLock&) = delete;
   BuildLock& operator=(const BuildLock&) = delete;
 
  private:
-  int file_;
+  /// Whether the file that is locked still has the name: whoever had it before has removed it.
+  [[nodiscard]] bool is_current() const {
+    struct stat locked {
+    }, named{};
+    return fstat(file_, &locked) == 0 && stat(path_.c_str(), &named) == 0 &&
+           locked.st_ino == named.st_ino;
+  }
+
+  fs::path path_;
+  int file_ = -1;
+  std::optional<golden::RemovedOnSignal> registered_;
 };
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
+}
+
+/// Sources and all that tools write lie in a folder of their own.
+void build(const fs::path& library, const std::vector<std::string>& parameters) {
+  const WorkFolder work(library);
+  const fs::path source = work.path() / "source", build = work.path() / "build";
+  unpack_sources(source);
+  std::vector<std::string> configure{"cmake",         "-S",
+                                     source.string(), "-B",
+                                     build.string(),  "-DPTM_VARIANT=" + joined(parameters, ";")};
+  if (fs::exists(source / "extra")) {
+    configure.push_back("-DPTM_EFFECTS_EXTRA=" + fs::absolute(source / "extra").string());
+  }
+  const std::vector<std::string>& options = variant_build().options;
+  configure.insert(configure.end(), options.begin(), options.end());
+  run_tool(configure, work.path());
+  run_tool({"cmake", "--build", build.string(), "--target", "ptm_variant"}, work.path());
+  seal_file(build / "ptm_variant.so");
+  fs::rename(build / "ptm_variant.so", library);
 }
 
 }  // namespace
@@ -210,30 +229,28 @@ fs::path variant_library(const reference::EvalConfig& config, const reference::U
 fs::path build_variant(const reference::EvalConfig& config, const reference::UnitConfig& unit,
                        const std::function<void(const std::string&)>& say) {
   fs::path library = variant_library(config, unit);
-  if (fs::exists(library)) return library;
+  auto claim = golden::FolderClaim::of(library.parent_path());
+  if (is_sealed(library)) return library;
   need("cmake", "cmake");
   need("verilator", "verilator");
   need(variant_build().compiler, "g++");
   if (variant_build().generator == "Ninja") need("ninja", "ninja-build");
   make_folder(library.parent_path());
-  const BuildLock lock(library.string() + ".lock");
-  if (fs::exists(library)) return library;  // another program was faster
-  remove_leftovers(library);
+  claim.reset();  // the folder may be a new one
+  claim = golden::FolderClaim::of(library.parent_path());
+  const BuildLock lock(library);
+  if (is_sealed(library)) return library;  // another program was faster
   const std::vector<std::string> parameters = rtl_parameters(config, unit);
+  std::error_code error;
+  if (say && fs::exists(library, error)) say(library.string() + " is damaged and is built again");
   if (say) say("building an RTL unit, once: " + joined(parameters, " "));
-  const Workplace work(library.string() + "." + std::to_string(getpid()));
-  const fs::path log = work.path() / "log";
-  std::vector<std::string> configure{"cmake",
-                                     "-S",
-                                     variant_build().source_root,
-                                     "-B",
-                                     (work.path() / "build").string(),
-                                     "-DPTM_VARIANT=" + joined(parameters, ";")};
-  const std::vector<std::string>& options = variant_build().options;
-  configure.insert(configure.end(), options.begin(), options.end());
-  run_tool(configure, log);
-  run_tool({"cmake", "--build", (work.path() / "build").string(), "--target", "ptm_variant"}, log);
-  fs::rename(work.path() / "build" / "ptm_variant.so", library);
+  try {
+    build(library, parameters);
+  } catch (const golden::InputError& fault) {
+    throw UnusableCache(library.parent_path().string(), fault.found());
+  } catch (const std::system_error& fault) {  // of a file system, or a program that cannot start
+    throw UnusableCache(library.parent_path().string(), fault.code().message());
+  }
   return library;
 }
 

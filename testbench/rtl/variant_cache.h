@@ -10,18 +10,20 @@
 
 /// Verilated units of any parameters: built when first asked for, and kept.
 ///
-/// A unit is a library of its own that is loaded into the process that runs it. Its key is made
-/// from its parameters, the content of the RTL and of the harness, and what compiles them, so that
-/// a changed file never meets a stale library. Libraries lie in $PTMSIM_CACHE, else
-/// $XDG_CACHE_HOME/ptmsim, else ~/.cache/ptmsim, else the folder for temporary files.
+/// A unit is a library of its own that is loaded into the process that runs it. It is made of the
+/// sources that lie within this program (variant_build.h). Its key is made from its parameters, the
+/// content of those sources, and what compiles them, so that another program never meets a stale
+/// library. Libraries lie in $PTMSIM_CACHE, else $XDG_CACHE_HOME/ptmsim, else ~/.cache/ptmsim, else
+/// the folder for temporary files. A digest at their end tells damaged ones.
 namespace ptm::testbench {
 
-/// A tool that is needed is missing; what() names the Debian package that brings it.
-class MissingTool : public std::runtime_error {
+/// A tool that is needed is missing or fails; what() names the Debian package that brings it, or
+/// has the end of what the tool said.
+class ToolError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The folder for libraries cannot be made.
+/// The folder for libraries cannot be made or written, or its disk is full.
 class UnusableCache : public std::runtime_error {
  public:
   UnusableCache(const std::string& where, const std::string& why)
@@ -37,9 +39,9 @@ class UnusableCache : public std::runtime_error {
 [[nodiscard]] std::filesystem::path variant_library(const reference::EvalConfig& config,
                                                     const reference::UnitConfig& unit);
 
-/// Builds the library if it is not there; `say` is told before that takes its minute. Of two
-/// programs that want the same one, one waits for the other. Throws MissingTool,
-/// UnusableCache, and std::runtime_error with the end of the tools' output if they fail.
+/// Builds the library if it is not there or damaged; `say` is told before that takes its minute. Of
+/// two programs that want the same one, one waits for the other. What programs that were killed
+/// left in the folder is removed. Throws ToolError and UnusableCache.
 std::filesystem::path build_variant(const reference::EvalConfig& config,
                                     const reference::UnitConfig& unit,
                                     const std::function<void(const std::string&)>& say = {});

@@ -13,7 +13,7 @@ void prepare_unit_variant(const UnitJob& job) {
   try {
     (void)build_variant(job.config, job.unit,
                         [](const std::string& what) { std::cerr << "ptmsim: " << what << '\n'; });
-  } catch (const MissingTool& error) {
+  } catch (const ToolError& error) {
     throw ExitError(ExitCode::missing_tool, error.what());
   } catch (const UnusableCache& error) {
     throw golden::InputError(error.folder, "$PTMSIM_CACHE", error.reason,
