@@ -90,7 +90,7 @@ TEST_F(RefusedWork, MoreThanTheMemoryHolds) {
   EXPECT_EQ(count_files(), before + 1) << "the error, and nothing else";
 }
 
-TEST_F(RefusedWork, NothingOfAMapThatIsVeryWide) {
+TEST_F(RefusedWork, IsNotThatOfAVeryWideMap) {
   golden::write_ptm(file("map.ptm"), small_map(golden::MapKind::lrgb, 65000, 1));
   const Outcome outcome =
       run("convert " + quoted(file("map.ptm")) + " " + quoted(file("m.ptm")) + " --mip");
