@@ -7,12 +7,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "golden/files/ending_signals.h"
+#include "golden/files/input_error.h"
 
 namespace ptm::testbench {
 namespace {
@@ -21,21 +23,37 @@ constexpr std::uint8_t kFine = 1;
 constexpr std::uint8_t kThrew = 2;
 constexpr int kThrewStatus = 70;
 
+constexpr int kNoRoomStatus = 71;  ///< not even for what the work threw
+
+std::string no_room(const char* reason) {
+  return golden::InputError(P_tmpdir, "a model's results", reason,
+                            "a folder for temporary files with room for them")
+      .what();
+}
+
 [[noreturn]] void run_child(ResultFile& file, const ChildProcess::Work& work, pid_t parent) {
   golden::leave_ending_signals();
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // no model outlives the program that waits for it
   if (getppid() != parent) std::_Exit(kThrewStatus);
+  // Nothing may be thrown from here: what called is the parent's to clear up.
   int status = 0;
   try {
     file.put(kFine);
     work(file);
+    file.flush();
   } catch (const std::exception& error) {
-    file.rewind();
-    file.put(kThrew);
-    file.put(std::string(error.what()));
+    // A simulator's kernel wraps what is thrown within it.
+    const std::string text = file.fault().empty() ? error.what() : file.fault();
     status = kThrewStatus;
+    try {
+      file.rewind();
+      file.put(kThrew);
+      file.put(text);
+      file.flush();
+    } catch (const std::exception&) {
+      status = kNoRoomStatus;
+    }
   }
-  file.flush();
   // The parent's buffers and exit handlers are not this process's to run.
   std::_Exit(status);
 }
@@ -48,13 +66,16 @@ std::string ending(int status) {
 }  // namespace
 
 ResultFile::ResultFile() : file_(std::tmpfile(), &std::fclose) {
-  if (!file_) throw std::system_error(errno, std::generic_category(), "temporary file");
+  if (!file_) fail();
+}
+
+void ResultFile::fail() {
+  fault_ = no_room(std::strerror(errno));
+  throw std::runtime_error(fault_);
 }
 
 void ResultFile::write(const void* data, std::size_t bytes) {
-  if (bytes != 0 && std::fwrite(data, 1, bytes, file_.get()) != bytes) {
-    throw std::system_error(errno, std::generic_category(), "temporary file");
-  }
+  if (bytes != 0 && std::fwrite(data, 1, bytes, file_.get()) != bytes) fail();
 }
 
 void ResultFile::read(void* data, std::size_t bytes) {
@@ -64,9 +85,7 @@ void ResultFile::read(void* data, std::size_t bytes) {
 }
 
 void ResultFile::flush() {
-  if (std::fflush(file_.get()) != 0) {
-    throw std::system_error(errno, std::generic_category(), "temporary file");
-  }
+  if (std::fflush(file_.get()) != 0) fail();
 }
 
 void ResultFile::rewind() { std::rewind(file_.get()); }
@@ -96,6 +115,9 @@ ResultFile& ChildProcess::wait() {
   const pid_t child = std::exchange(child_, -1);
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw std::system_error(errno, std::generic_category(), what_);
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kNoRoomStatus) {
+    throw std::runtime_error(no_room(std::strerror(ENOSPC)));
   }
   const bool threw = WIFEXITED(status) && WEXITSTATUS(status) == kThrewStatus;
   if (status != 0 && !threw) throw std::runtime_error(what_ + " " + ending(status));

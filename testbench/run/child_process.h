@@ -14,7 +14,7 @@ namespace ptm::testbench {
 /// Plain values and vectors of them, through an unnamed temporary file that two processes share.
 class ResultFile {
  public:
-  ResultFile();  ///< throws std::system_error if there is nowhere to put one
+  ResultFile();  ///< throws std::runtime_error, as put() and flush() do, where it cannot be written
 
   template <class T>
   requires std::is_trivially_copyable_v<T>
@@ -42,12 +42,16 @@ class ResultFile {
 
   void flush();
   void rewind();
+  /// What was thrown when it could not be written, in full; empty before.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
+  [[noreturn]] void fail();
   void write(const void* data, std::size_t bytes);
   void read(void* data, std::size_t bytes);
 
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::string fault_;
 };
 
 /// Work in a process of its own: SystemC elaborates once a process, and a model that crashes takes

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,6 +64,25 @@ TEST(ChildProcess, PassesOnWhatTheWorkThrewEvenAfterItWroteSomething) {
     throw std::runtime_error("pixel 5 never came");
   });
   EXPECT_EQ(complaint(child), "a model: pixel 5 never came");
+}
+
+TEST(ChildProcess, SaysWhereThereIsNoRoomForItsResultsWhenItWritesOrEnds) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const std::size_t room : {std::size_t{0}, std::size_t{100}, std::size_t{5000}}) {
+    for (const std::size_t bytes : {std::size_t{200}, std::size_t{1} << 20}) {
+      ChildProcess child("a model", [&](ResultFile& file) {
+        const rlimit limit{room, room};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        file.put(std::vector<char>(bytes));
+      });
+      if (bytes + 9 <= room) {
+        EXPECT_EQ(child.wait().get_vector<char>().size(), bytes);
+        continue;
+      }
+      const std::string said = complaint(child);
+      EXPECT_NE(said.find("a model's results: found "), std::string::npos) << said;
+    }
+  }
 }
 
 TEST(ChildProcess, NamesTheSignalThatEndedIt) {
