@@ -1,14 +1,18 @@
 #include "golden/files/light_positions.h"
 
-#include <charconv>
+#include <algorithm>
 #include <iomanip>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <sstream>
-#include <string_view>
 
 #include "golden/files/light_directions.h"
+#include "golden/files/light_line.h"
 #include "golden/files/number_text.h"
 #include "golden/files/pending_file.h"
+#include "golden/files/picture_folder.h"
+#include "golden/files/text_lines.h"
 #include "golden/files/whole_file.h"
 
 namespace ptm::golden {
@@ -16,108 +20,190 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kBlanks = " \t\r\f\v";
+constexpr std::size_t kCoefficients = 6;
+constexpr std::size_t kNamesTold = 8;  ///< of missing pictures, in a note
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
+std::string line_place(int line) { return "line " + std::to_string(line); }
 
-/// Takes the last field off `text`.
-std::string_view pop_field(std::string_view& text) {
-  const std::size_t blank = text.find_last_of(kBlanks);
-  const std::string_view field = blank == std::string_view::npos ? text : text.substr(blank + 1);
-  text = trimmed(blank == std::string_view::npos ? std::string_view{} : text.substr(0, blank));
-  return field;
-}
+struct ListedLight {
+  LightLine light;
+  int line = 0;
+};
 
 class Reader {
  public:
-  explicit Reader(const fs::path& path) : path_(path) {}
+  Reader(const fs::path& path, const PictureSource& source) : path_(path), source_(source) {}
 
   LightPositions read() {
-    std::istringstream in(read_text_file(path_, "a light position file (.lp)"));
-    for (std::string line; std::getline(in, line);) {
-      ++line_;
-      std::string_view text = line;
-      if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-      text = trimmed(text);
-      if (!text.empty() && !take_count(text)) take_light(text);
+    read_list();
+    if (source_.folder.empty()) {
+      find_pictures();
+    } else {
+      take_folder();
     }
+    for (ListedLight& listed : lights_) take_light(listed);
     finish();
     return std::move(result_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& found, const std::string& expected) const {
-    throw InputError(path_.string(), "line " + std::to_string(line_), found, expected);
+  [[noreturn]] void fail(int line, const std::string& found, const std::string& expected) const {
+    throw InputError(path_.string(), line_place(line), found, expected);
   }
 
-  /// The first line that is not blank may be a lone whole number.
+  void read_list() {
+    int number = 0;
+    for (const std::string& line : read_text_lines(path_, "a light position file (.lp)")) {
+      ++number;
+      const std::string_view text = without_separators(line);
+      if (text.empty()) continue;
+      auto light = read_light_line(text);
+      if (!light && (text.front() == '#' || take_count(text) || take_column_names(text, number))) {
+        continue;
+      }
+      if (count_ && lights_.size() >= *count_) {
+        ++beyond_;
+        continue;
+      }
+      if (!light) complain(text, number);
+      if (light->decimal_commas && comma_line_ == 0) comma_line_ = number;
+      lights_.push_back({std::move(*light), number});
+    }
+    tell_about_list();
+  }
+
+  /// A lone whole number before the first light.
   bool take_count(std::string_view text) {
-    if (seen_++ > 0) return false;
-    std::size_t count = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (error != std::errc{} || stop != text.data() + text.size()) return false;
-    count_ = count;
+    if (count_ || !lights_.empty()) return false;
+    const auto count = parse_integer(text, 0, std::numeric_limits<std::int64_t>::max());
+    if (count) count_ = static_cast<std::size_t>(*count);
+    return count.has_value();
+  }
+
+  /// "name,x,y,z" before the first light.
+  bool take_column_names(std::string_view text, int line) {
+    const auto fields = last_fields(text);
+    const bool words = std::all_of(fields.begin(), fields.end(), is_column_name) ||
+                       (text.find(',') != std::string_view::npos && is_column_name(text) &&
+                        text.find_first_of("0123456789") == std::string_view::npos);
+    if (!lights_.empty() || !words) return false;
+    result_.notes.push_back(line_place(line) + " holds the names of columns, passed over");
     return true;
   }
 
-  void take_light(std::string_view text) {
-    const std::string whole(text);
-    std::array<std::string_view, 3> fields;
-    for (std::size_t i = 3; i-- > 0;) fields[i] = pop_field(text);
-    if (text.empty()) fail("'" + whole + "'", "a picture's name and three numbers");
-    LitPicture lit;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = parse_real(fields[i]);
-      if (!value) fail("coordinate '" + std::string(fields[i]) + "'", "a finite number");
-      lit.direction[i] = *value;
-    }
-    lit.line = line_;
-    lit.picture = find_picture(std::string(text));
-    ++lights_;
-    if (directions_.take(lit.direction, path_.string(), "line " + std::to_string(line_),
-                         result_.notes)) {
-      result_.pictures.push_back(std::move(lit));
-    }
+  [[noreturn]] void complain(std::string_view text, int line) const {
+    const auto fields = last_fields(text);
+    const bool enough = !fields[0].empty() && fields[0].data() != text.data();
+    if (!enough) fail(line, "'" + std::string(text) + "'", "a picture's name and three numbers");
+    const auto bad = std::find_if(fields.begin(), fields.end(), [](std::string_view field) {
+      return !parse_real(field) && !parse_decimal_comma(field);
+    });
+    const std::string_view field = bad == fields.end() ? fields[0] : *bad;
+    fail(line, "coordinate '" + std::string(field) + "'", "a finite number");
   }
 
-  fs::path find_picture(std::string name) const {
-    const fs::path folder = path_.parent_path();
-    for (char& c : name) c = c == '\\' ? '/' : c;
-    for (const fs::path& candidate : {folder / name, folder / fs::path(name).filename()}) {
-      std::error_code ignored;
-      if (fs::is_regular_file(candidate, ignored)) return candidate;
+  void tell_about_list() {
+    if (comma_line_ > 0) {
+      result_.notes.push_back("numbers with a decimal comma, the first in " +
+                              line_place(comma_line_));
     }
-    fail("no picture '" + name + "'", "an existing file beside the light positions");
+    if (!count_ || (beyond_ == 0 && *count_ == lights_.size())) return;
+    std::string note = "the first line says " + std::to_string(*count_) + " lights, the file has " +
+                       std::to_string(lights_.size() + beyond_);
+    if (beyond_ > 0) note += "; what is beyond the count is not read";
+    result_.notes.push_back(note);
+  }
+
+  void find_pictures() {
+    ListedPictures pictures(path_);
+    for (const ListedLight& listed : lights_) {
+      auto found = pictures.find(listed.light.name, line_place(listed.line));
+      if (!found && !source_.skip_missing) {
+        fail(listed.line, "no picture '" + listed.light.name + "'",
+             "an existing file beside the light positions, or --skip-missing");
+      }
+      if (!found) missing_.push_back(listed.light.name);
+      pictures_.push_back(std::move(found));
+    }
+    pictures.finish(result_.notes);
+    if (!missing_.empty()) tell_missing();
+  }
+
+  void tell_missing() {
+    const std::size_t listed = lights_.size(), left = listed - missing_.size();
+    std::string names;
+    for (std::size_t i = 0; i < std::min(kNamesTold, missing_.size()); ++i) {
+      names += (i == 0 ? "" : ", ") + missing_[i];
+    }
+    if (missing_.size() > kNamesTold) names += ", ...";
+    const std::size_t least = listed < kCoefficients ? 2 : kCoefficients;
+    if (left < least) {
+      throw InputError(
+          path_.string(), "pictures",
+          std::to_string(left) + " of " + std::to_string(listed) + " (missing: " + names + ")",
+          std::to_string(least) + " or more");
+    }
+    result_.notes.push_back(std::to_string(missing_.size()) + " of " + std::to_string(listed) +
+                            " lights are left out, as their photographs are missing: " + names);
+  }
+
+  /// The n-th name of the list stands for the n-th name of the folder, whatever both are called.
+  void take_folder() {
+    const auto all = pictures_of(source_.folder, lights_.size(), path_.filename().string());
+    std::vector<std::size_t> order(lights_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return natural_less(lights_[a].light.name, lights_[b].light.name);
+    });
+    pictures_.resize(all.size());
+    for (std::size_t n = 0; n < order.size(); ++n) pictures_[order[n]] = all[n];
+    if (std::is_sorted(order.begin(), order.end())) return;
+    result_.notes.push_back(
+        "the list is not in order of its names: the light of its n-th name, not "
+        "of its n-th line, was given to the n-th picture of " +
+        source_.folder.string());
+  }
+
+  void take_light(const ListedLight& listed) {
+    const auto at = static_cast<std::size_t>(&listed - lights_.data());
+    LitPicture lit;
+    lit.direction = lit.position = listed.light.numbers;
+    lit.line = listed.line;
+    // A light that stands wrong is worth a word whether its picture is there or not.
+    const bool above =
+        directions_.take(lit.direction, path_.string(), line_place(listed.line), result_.notes);
+    if (!above || !pictures_[at]) return;
+    lit.picture = *pictures_[at];
+    result_.pictures.push_back(std::move(lit));
   }
 
   void finish() {
     directions_.finish(result_.notes);
-    if (count_ && *count_ != lights_) {
-      result_.notes.push_back("the first line says " + std::to_string(*count_) +
-                              " lights, the file has " + std::to_string(lights_));
-    }
     if (result_.pictures.empty()) {
-      throw InputError(path_.string(), "file", "no light above the horizon",
+      throw InputError(path_.string(), "file",
+                       count_ == 0 && beyond_ > 0 ? "a count of 0 lights in the first line"
+                                                  : "no light above the horizon",
                        "lines of a picture's name and three numbers");
     }
   }
 
   fs::path path_;
+  PictureSource source_;
   LightPositions result_;
-  int line_ = 0;
-  int seen_ = 0;
+  std::vector<ListedLight> lights_;
+  std::vector<std::optional<fs::path>> pictures_;  ///< one a light
+  std::vector<std::string> missing_;
+  int comma_line_ = 0;
   std::optional<std::size_t> count_;
-  std::size_t lights_ = 0;
+  std::size_t beyond_ = 0;
   LightDirections directions_;
 };
 
 }  // namespace
 
-LightPositions read_light_positions(const fs::path& path) { return Reader(path).read(); }
+LightPositions read_light_positions(const fs::path& path, const PictureSource& source) {
+  return Reader(path, source).read();
+}
 
 std::string format_light_positions(const fs::path& path, const std::vector<LitPicture>& pictures) {
   std::ostringstream out;

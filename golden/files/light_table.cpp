@@ -1,96 +1,54 @@
 #include "golden/files/light_table.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
-#include <cctype>
-#include <sstream>
-#include <string_view>
 
 #include "golden/files/light_directions.h"
+#include "golden/files/number_table.h"
 #include "golden/files/number_text.h"
-#include "golden/files/whole_file.h"
+#include "golden/files/picture_folder.h"
 
 namespace ptm::golden {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Row {
-  int line = 0;
-  std::vector<double> numbers;
-};
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::vector<Row> read_rows(const fs::path& table) {
-  std::istringstream in(read_text_file(table, "a table of lights"));
-  std::vector<Row> rows;
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    Row row{++number, {}};
-    constexpr std::string_view parting = " \t\r\f\v,;";
-    std::size_t at = line.find_first_not_of(parting);
-    if (at == std::string::npos || line[at] == '#') continue;
-    while (at != std::string::npos) {
-      const std::size_t end = std::min(line.find_first_of(parting, at), line.size());
-      const std::string_view field = std::string_view(line).substr(at, end - at);
-      const auto value = parse_real(field);
-      if (!value) {
-        throw InputError(table.string(), "line " + std::to_string(number), quoted(field),
-                         "a finite number");
-      }
-      row.numbers.push_back(*value);
-      at = line.find_first_not_of(parting, end);
+/// Which of x, y and z a column's name means; -1 for none of them.
+int axis_of(std::string name) {
+  for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  for (const char* before : {"", "l", "d", "light_", "dir_", "pos_"}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (name == std::string(before) + "xyz"[axis]) return axis;
     }
-    rows.push_back(std::move(row));
   }
-  return rows;
+  return -1;
 }
 
-/// Whether OpenImageIO reads files of this extension; its list is "tiff:tif,tiff;jpeg:jpg,...".
-bool is_picture_name(const fs::path& path) {
-  std::string extension = path.extension().string();
-  if (extension.size() < 2 || path.filename().string().front() == '.') return false;
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  extension.front() = ',';
-  std::string known = OIIO::get_string_attribute("extension_list");
-  std::replace_if(
-      known.begin(), known.end(), [](char c) { return c == ':' || c == ';'; }, ',');
-  return ("," + known + ",").find(extension + ",") != std::string::npos;
-}
-
-std::vector<fs::path> pictures_of(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> pictures;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.is_regular_file() && is_picture_name(entry.path())) pictures.push_back(entry.path());
+/// Puts the columns that are named x, y and z in this order and drops all others, if all three are
+/// there once and the rows are as long as the row of names.
+void order_columns(NumberTable& table) {
+  std::array<int, 3> column{-1, -1, -1};
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const int axis = axis_of(table.columns[i]);
+    if (axis < 0) continue;
+    int& place = column[static_cast<std::size_t>(axis)];
+    if (place >= 0) return;
+    place = static_cast<int>(i);
   }
-  if (error) {
-    throw InputError(folder.string(), "folder", error.message(), "a folder of pictures");
+  if (*std::min_element(column.begin(), column.end()) < 0) return;
+  for (NumberRow& row : table.rows) {
+    if (row.numbers.size() != table.columns.size()) continue;
+    std::vector<double> ordered;
+    for (const int from : column) ordered.push_back(row.numbers[static_cast<std::size_t>(from)]);
+    row.numbers = std::move(ordered);
   }
-  std::sort(pictures.begin(), pictures.end(), [](const fs::path& a, const fs::path& b) {
-    return natural_less(a.filename().string(), b.filename().string());
-  });
-  return pictures;
-}
-
-std::vector<fs::path> pictures_of(const fs::path& folder, std::size_t lights) {
-  std::vector<fs::path> pictures = pictures_of(folder);
-  if (pictures.size() != lights) {
-    throw InputError(folder.string(), "folder", std::to_string(pictures.size()) + " pictures",
-                     std::to_string(lights) + ", one for each light of the table");
-  }
-  return pictures;
 }
 
 /// One light a row, whichever way the table lies.
-std::vector<Row> lights_of(std::vector<Row> rows, const std::string& table,
-                           std::vector<std::string>& notes) {
+std::vector<NumberRow> lights_of(std::vector<NumberRow> rows, const std::string& table,
+                                 std::vector<std::string>& notes) {
   const bool across = rows.size() == 3 && rows[0].numbers.size() != 3;
   const std::size_t columns = across ? rows[0].numbers.size() : 3;
-  for (const Row& row : rows) {
+  for (const NumberRow& row : rows) {
     if (row.numbers.size() == columns) continue;
     throw InputError(table, "line " + std::to_string(row.line),
                      std::to_string(row.numbers.size()) + " numbers", std::to_string(columns));
@@ -99,46 +57,51 @@ std::vector<Row> lights_of(std::vector<Row> rows, const std::string& table,
     notes.emplace_back("a table of 3 x 3 numbers is taken as one light a line");
   }
   if (!across) return rows;
-  std::vector<Row> lights(columns);
+  std::vector<NumberRow> lights(columns);
   for (std::size_t i = 0; i < columns; ++i) {
     lights[i].line = rows[0].line;
-    for (const Row& row : rows) lights[i].numbers.push_back(row.numbers[i]);
+    for (const NumberRow& row : rows) lights[i].numbers.push_back(row.numbers[i]);
   }
   return lights;
 }
 
-}  // namespace
-
-bool natural_less(const std::string& a, const std::string& b) {
-  std::size_t i = 0, k = 0;
-  while (i < a.size() && k < b.size()) {
-    if (!is_digit(a[i]) || !is_digit(b[k])) {
-      if (a[i] != b[k]) return a[i] < b[k];
-      ++i, ++k;
-      continue;
-    }
-    while (i < a.size() && a[i] == '0') ++i;
-    while (k < b.size() && b[k] == '0') ++k;
-    std::size_t m = i, n = k;
-    while (m < a.size() && is_digit(a[m])) ++m;
-    while (n < b.size() && is_digit(b[n])) ++n;
-    if (m - i != n - k) return m - i < n - k;
-    const int order = a.compare(i, m - i, b, k, n - k);
-    if (order != 0) return order < 0;
-    i = m, k = n;
+/// The count rules, as in a .lp file.
+template <class Light>
+void keep_counted(std::optional<std::size_t> count, std::vector<Light>& lights,
+                  std::vector<std::string>& notes) {
+  if (!count || *count == lights.size()) return;
+  std::string note = "the first line says " + std::to_string(*count) + " lights, the file has " +
+                     std::to_string(lights.size());
+  if (*count < lights.size()) {
+    note += "; what is beyond the count is not read";
+    lights.resize(*count);
   }
-  if ((i < a.size()) != (k < b.size())) return k < b.size();
-  return a < b;
+  notes.push_back(note);
 }
+
+std::vector<NumberRow> read_rows(const fs::path& table, std::vector<std::string>& notes) {
+  NumberTable read = read_number_table(table, false);
+  const auto count = take_count(read);
+  order_columns(read);
+  notes = std::move(read.notes);
+  auto rows = lights_of(std::move(read.rows), table.string(), notes);
+  keep_counted(count, rows, notes);
+  return rows;
+}
+
+}  // namespace
 
 LightPositions read_light_table(const fs::path& table, const fs::path& folder) {
   LightPositions result;
-  const std::vector<Row> rows = lights_of(read_rows(table), table.string(), result.notes);
-  const std::vector<fs::path> pictures = pictures_of(folder, rows.size());
+  const std::vector<NumberRow> rows = read_rows(table, result.notes);
+  const std::vector<fs::path> pictures = pictures_of(folder, rows.size(), "the table");
   LightDirections directions;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    LitPicture lit{
-        pictures[i], {rows[i].numbers[0], rows[i].numbers[1], rows[i].numbers[2]}, rows[i].line};
+    LitPicture lit;
+    lit.picture = pictures[i];
+    std::copy_n(rows[i].numbers.begin(), 3, lit.direction.begin());
+    lit.position = lit.direction;
+    lit.line = rows[i].line;
     const std::string place =
         "light " + std::to_string(i + 1) + " (line " + std::to_string(rows[i].line) + ")";
     if (directions.take(lit.direction, table.string(), place, result.notes)) {
@@ -155,18 +118,26 @@ LightPositions read_light_table(const fs::path& table, const fs::path& folder) {
 
 LightPositions read_parameter_table(const fs::path& table, const fs::path& folder) {
   LightPositions result;
-  const std::vector<Row> rows = read_rows(table);
-  for (const Row& row : rows) {
-    if (rows.size() > 1 && row.numbers.size() != 1) {
+  NumberTable read = read_number_table(table, true);
+  result.notes = std::move(read.notes);
+  // A first number that counts all others is none of them, unless there is a picture for it.
+  std::size_t all = 0;
+  for (const NumberRow& row : read.rows) all += row.numbers.size();
+  if (all > 1 && read.rows[0].numbers[0] == static_cast<double>(all - 1) &&
+      count_pictures(folder) + 1 == all) {
+    (void)take_count(read);
+  }
+  for (const NumberRow& row : read.rows) {
+    if (read.rows.size() > 1 && row.numbers.size() != 1) {
       throw InputError(table.string(), "line " + std::to_string(row.line),
                        std::to_string(row.numbers.size()) + " numbers", "one number a line");
     }
-    for (const double u : row.numbers) result.pictures.push_back({{}, {u, 0, 0}, row.line});
+    for (const double u : row.numbers) result.pictures.push_back({{}, {u, 0, 0}, row.line, {}});
   }
   if (result.pictures.empty()) {
     throw InputError(table.string(), "file", "no number", "one number for each picture");
   }
-  const std::vector<fs::path> pictures = pictures_of(folder, result.pictures.size());
+  const std::vector<fs::path> pictures = pictures_of(folder, result.pictures.size(), "the table");
   const auto by_u = [](const LitPicture& a, const LitPicture& b) {
     return a.direction[0] < b.direction[0];
   };

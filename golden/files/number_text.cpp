@@ -38,6 +38,20 @@ std::optional<double> parse_real(std::string_view text) {
   return value;
 }
 
+std::optional<double> parse_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  const auto digit = [&](std::size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+  };
+  if (comma == std::string_view::npos || comma == 0 || !digit(comma - 1) || !digit(comma + 1) ||
+      text.find('.') != std::string_view::npos) {
+    return std::nullopt;
+  }
+  std::string pointed(text);
+  pointed[comma] = '.';
+  return parse_real(pointed);
+}
+
 std::string format_real(double value) {
   const double size = std::fabs(value);
   const bool plain = size == 0 || (size >= 1e-5 && size < 1e9);

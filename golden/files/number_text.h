@@ -15,6 +15,10 @@ namespace ptm::golden {
 /// that a double cannot hold give nothing.
 [[nodiscard]] std::optional<double> parse_real(std::string_view text);
 
+/// The same with a decimal comma in place of the point, as programs of many countries write it; the
+/// comma stands between digits. A number without a comma gives nothing: ask parse_real() first.
+[[nodiscard]] std::optional<double> parse_decimal_comma(std::string_view text);
+
 /// The shortest decimal text that reads back as the same double, always with a point or an
 /// exponent: "2.0", "0.1", "1e-30". Old readers take a plain number for granted, so an exponent
 /// appears only outside [1e-5, 1e9).

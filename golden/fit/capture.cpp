@@ -16,7 +16,7 @@ LightPositions read_lights(const CaptureRequest& request) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(request.source, ignored);
   if (request.lights.empty()) {
-    if (!folder) return read_light_positions(request.source);
+    if (!folder) return read_light_positions(request.source, request.pictures);
     throw InputError(request.source.string(), "capture", "a folder without a table of lights",
                      "a .lp file, or --lights TABLE with the folder");
   }

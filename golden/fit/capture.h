@@ -13,6 +13,7 @@ namespace ptm::golden {
 struct CaptureRequest {
   std::filesystem::path source;  ///< a .lp file, or with `lights` a folder of pictures
   std::filesystem::path lights;  ///< a light table; with `univariate` one number a picture
+  PictureSource pictures;        ///< of a .lp file: where its pictures are, if not as it says
   bool univariate = false;
   bool share_pictures = false;   ///< several lights may have the same picture
   bool linear = false;           ///< integer samples are sRGB and are decoded to linear light

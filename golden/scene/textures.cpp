@@ -59,7 +59,9 @@ LoadedTexture load_ptm(const TextureSpec& spec) {
 }
 
 LoadedTexture load_capture(const TextureSpec& spec) {
-  Capture capture = open_capture({.source = spec.file, .lights = {}, .region = {}});
+  CaptureRequest request;
+  request.source = spec.file;
+  Capture capture = open_capture(request);
   LoadedTexture texture;
   texture.notes = capture.notes;
   texture.width = capture.region.width;

@@ -207,6 +207,17 @@ void add_input_options(CLI::App& command, FitArguments& a) {
   auto* lights = command.add_option("--lights", a.job.capture.lights,
                                     "table of light directions, N x 3 or 3 x N, one a picture of "
                                     "the folder in order of their names");
+  auto* pictures =
+      command
+          .add_option("--pictures", a.job.capture.pictures.folder,
+                      "folder of other photographs under the lights of the .lp: the n-th by name "
+                      "belongs to the light of the list's n-th name")
+          ->excludes(lights);
+  command
+      .add_flag("--skip-missing", a.job.capture.pictures.skip_missing,
+                "leave out lights whose photographs are missing (default: an error)")
+      ->excludes(lights)
+      ->excludes(pictures);
   command
       .add_flag("--univariate", a.job.capture.univariate,
                 "one parameter (focus, time): --lights holds one number a picture")

@@ -113,6 +113,7 @@ class Runner {
       golden::CaptureRequest other = job_.capture;
       other.source = job_.test;
       other.lights.clear();
+      other.pictures.folder.clear();
       held_out_ = golden::open_capture(other);
       if (held_out_.region.width != training_.region.width ||
           held_out_.region.height != training_.region.height) {

@@ -56,6 +56,42 @@ TEST_F(FitOptions, BandsOfAnySizeGiveTheSameMapAndTheSameFigures) {
   }
 }
 
+TEST_F(FitOptions, TakesTheLightsOfAListForThePicturesOfAnotherFolder) {
+  (void)fit(capture(), "listed.ptm");
+  // The same photographs under names that a camera gives, and what else lies in such folders.
+  std::filesystem::create_directories(file("new"));
+  std::istringstream list(tests::text_of(file("c/capture.lp")));
+  std::string line;
+  std::getline(list, line);
+  for (int n = 9; std::getline(list, line) && !line.empty(); ++n) {
+    std::filesystem::copy_file(file("c/" + line.substr(0, line.find(' '))),
+                               file("new/IMG_" + std::to_string(n) + ".png"));
+  }
+  write("new/capture.txt", "no picture");
+  const json found = fit(capture() + " --pictures " + quoted(file("new")));
+  EXPECT_EQ(found.at("photographs"), 20);
+  EXPECT_EQ(found.at("lights").at(19).at("picture"), "IMG_28.png");
+  EXPECT_TRUE(found.at("notes").empty()) << found.at("notes");
+  EXPECT_EQ(tests::text_of(file("m.ptm")), tests::text_of(file("listed.ptm")));
+  std::filesystem::remove(file("new/IMG_20.png"));
+  expect_refused(
+      "fit " + capture() + " --pictures " + quoted(file("new")) + " --out " + quoted(file("n.ptm")),
+      "found 19 pictures, expected 20, one for each light of capture.lp");
+}
+
+TEST_F(FitOptions, LeavesOutMissingPhotographsIfAskedTo) {
+  const json all = fit(capture());
+  const std::string gone = all.at("lights").at(4).at("picture");
+  std::filesystem::remove(file("c/" + gone));
+  expect_refused("fit " + capture() + " --out " + quoted(file("n.ptm")), "--skip-missing");
+  const json rest = fit(capture() + " --skip-missing");
+  EXPECT_EQ(rest.at("photographs"), 19);
+  EXPECT_EQ(rest.at("lights").at(4).at("picture"), all.at("lights").at(5).at("picture"));
+  ASSERT_EQ(rest.at("notes").size(), 1U);
+  EXPECT_EQ(rest.at("notes").at(0),
+            "1 of 20 lights are left out, as their photographs are missing: " + gone);
+}
+
 TEST_F(FitOptions, EveryFormatWritesItsKindOfMapAndRgbFitsBest) {
   std::map<std::string, double> psnr;
   for (const auto& [format, kind] : {std::pair{"lrgb", golden::MapKind::lrgb},

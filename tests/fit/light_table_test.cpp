@@ -1,5 +1,6 @@
 #include "golden/files/light_table.h"
 
+#include "golden/files/picture_folder.h"
 #include "tests/scratch_folder.h"
 #include "tests/shared_data.h"
 
@@ -48,6 +49,41 @@ TEST(LightTable, TakesThreeTimesThreeNumbersAsOneLightALineAndSaysSo) {
       read_light_table(folder.write("t.txt", "1 0 0\n0 0.6 0.8\n0 0 1\n"), pictures(folder, 3));
   EXPECT_EQ(table.pictures[1].direction[1], 0.6);
   ASSERT_EQ(table.notes.size(), 1U);
+}
+
+TEST(LightTable, ReadsWhatSpreadsheetsAndProgramsWrite) {
+  const ScratchFolder folder;
+  const auto four = pictures(folder, 4);
+  const std::pair<const char*, std::size_t> tables[] = {
+      // The text, and how many notes it earns.
+      {"4\n0.6 0 0.8\n0 0.6 0.8\n0 0 1\n-0.6 0 0.8\n", 0},
+      {"4\r0.6 0 0.8\r0 0.6 0.8\r0 0 1\r-0.6 0 0.8\r", 0},
+      {"4,,\r\n0.6,0,0.8\r\n0,0.6,0.8\r\n0,0,1\r\n-0.6,0,0.8\r\n", 0},
+      {"x,y,z\n0.6,0,0.8\n0,0.6,0.8\n0,0,1\n-0.6,0,0.8\n", 1},
+      {"\"Lx\";\"Ly\";\"Lz\"\n4\n0,6;0;0,8\n0;0,6;0,8\n0;0;1\n-0,6;0,0;0,8\n", 2},
+      {"0,6 0,0 0,8\n0,0 0,6 0,8\n0,0 0,0 1,0\n-0,6 0,0 0,8\n", 1},
+      {"4\n0,6\t0\t0\t-0,6\n0\t0,6\t0\t0\n0,8\t0,8\t1\t0,8\n", 1},
+      {"z,y,x\n0.8,0,0.6\n0.8,0.6,0\n1,0,0\n0.8,0,-0.6\n", 1},
+      {"lights of the dome\nno;x;y;z\n1;0.6;0;0.8\n2;0;0.6;0.8\n3;0;0;1\n4;-0.6;0;0.8\n", 2},
+      {"% matlab\n// and others\n0.6 0 0.8\n0 0.6 0.8\n0 0 1\n-0.6 0 0.8\n", 0},
+      {"4\n0.6 0 0.8\n0 0.6 0.8\n0 0 1\n-0.6 0 0.8\n1 1 1\n", 1},
+  };
+  for (const auto& [text, notes] : tables) {
+    const auto table = read_light_table(folder.write("t.txt", text), four);
+    ASSERT_EQ(table.pictures.size(), 4U) << text;
+    EXPECT_EQ(table.pictures[0].direction, (std::array<double, 3>{0.6, 0, 0.8})) << text;
+    EXPECT_EQ(table.pictures[1].direction, (std::array<double, 3>{0, 0.6, 0.8})) << text;
+    EXPECT_EQ(table.pictures[3].direction, (std::array<double, 3>{-0.6, 0, 0.8})) << text;
+    EXPECT_EQ(table.notes.size(), notes) << text;
+  }
+}
+
+TEST(LightTable, TakesCommasForSeparatorsWhereTheyCanBeNothingElse) {
+  const ScratchFolder folder;
+  const auto four = pictures(folder, 4);
+  const auto table = read_light_table(folder.write("t.csv", "1,0,0\n0,1,0\n0,0,1\n-1,0,0\n"), four);
+  EXPECT_EQ(table.pictures[1].direction, (std::array<double, 3>{0, 1, 0}));
+  EXPECT_TRUE(table.notes.empty());
 }
 
 TEST(LightTable, OrdersPicturesByTheNumbersInTheirNamesAndPassesOverOtherFiles) {
@@ -103,6 +139,21 @@ TEST(ParameterTable, KeepsNumbersWithinOneAndStretchesOthers) {
   const auto two_a_line = folder.write("w.txt", "1 2\n3 4\n");
   EXPECT_NE(error_of([&] { return read_parameter_table(two_a_line, three); }).find("line 1"),
             std::string::npos);
+}
+
+TEST(ParameterTable, TakesACountAndDecimalCommas) {
+  const ScratchFolder folder;
+  const auto three = pictures(folder, 3);
+  for (const char* text :
+       {"3\n-0.5\n0\n1\n", "-0,5\n0\n1\n", "u\n-0.5\n0\n1\n", "-0,5 0 1\n", "3\n-0.5 0 1\n"}) {
+    const auto table = read_parameter_table(folder.write("k.txt", text), three);
+    ASSERT_EQ(table.pictures.size(), 3U) << text;
+    EXPECT_EQ(table.pictures[0].direction[0], -0.5) << text;
+    EXPECT_EQ(table.pictures[2].direction[0], 1) << text;
+  }
+  // Two more numbers than their own count: the first one is a number like the others.
+  const auto stretched = read_parameter_table(folder.write("k.txt", "2\n1\n0\n"), three);
+  EXPECT_EQ(stretched.pictures[0].direction[0], 1);
 }
 
 TEST(LightTable, ReadsARealTableOfThreeLines) {
