@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <string_view>
 
 #include "golden/files/number_text.h"
-#include "golden/files/whole_file.h"
+#include "golden/files/text_lines.h"
 #include "golden/scene/cut_polygon.h"
 
 namespace ptm::golden {
@@ -19,12 +18,9 @@ class ObjReader {
   explicit ObjReader(const std::filesystem::path& path) : path_(path) {}
 
   ObjMesh read() {
-    std::istringstream in(read_text_file(path_, "a Wavefront OBJ", kLargestObj));
     std::string whole;
-    for (std::string line; std::getline(in, line);) {
+    for (std::string& line : read_text_lines(path_, "a Wavefront OBJ", kLargestObj)) {
       ++line_;
-      if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-      while (!line.empty() && line.back() == '\r') line.pop_back();
       // A comment ends with its line, whatever its last character.
       const bool goes_on = line.ends_with('\\') && line.find('#') == std::string::npos;
       if (goes_on) line.back() = ' ';
@@ -34,6 +30,11 @@ class ObjReader {
       whole.clear();
     }
     take(whole);
+    if (no_polygons_ > 0) {
+      mesh_.notes.push_back(path_.filename().string() + ": " + std::to_string(no_polygons_) +
+                            " faces of fewer than three corners left out, the first in line " +
+                            std::to_string(first_no_polygon_));
+    }
     if (mesh_.triangles.empty()) {
       throw InputError(path_.string(), "the file", "no triangle that has an area", "faces (f)");
     }
@@ -137,12 +138,15 @@ class ObjReader {
   }
 
   void take_face(const std::vector<std::string_view>& fields) {
-    if (fields.size() < 4) fail(std::to_string(fields.size() - 1) + " corners", "three or more");
     std::vector<ObjCorner> corners;
     std::vector<Vec3> places;
     for (std::size_t i = 1; i < fields.size(); ++i) {
       corners.push_back(corner(fields[i]));
       places.push_back(mesh_.positions[static_cast<std::size_t>(corners.back().position)]);
+    }
+    if (corners.size() < 3) {  // an edge or a point, which no picture shows
+      if (no_polygons_++ == 0) first_no_polygon_ = line_;
+      return;
     }
     for (const auto& [a, b, c] : cut_polygon(places, first_of(corners))) {
       const ObjTriangle triangle{{corners[a], corners[b], corners[c]}, line_};
@@ -160,11 +164,12 @@ class ObjReader {
 
   // What names, groups, smooths or shades, and lines and points.
   static constexpr std::array<std::string_view, 16> kPassed{
-      "o",     "g",        "s",        "usemtl", "mtllib",     "l",         "p",      "bevel",
-      "mg",    "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "maplib", "usemap"};
+      "o",  "g",        "s",        "usemtl", "mtllib",     "l",         "p",      "bevel",
+      "mg", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "maplib", "usemap"};
   static constexpr std::uintmax_t kLargestObj = std::uintmax_t{1} << 30;
   std::filesystem::path path_;
-  int line_ = 0;
+  int line_ = 0, first_no_polygon_ = 0;
+  std::size_t no_polygons_ = 0;
   ObjMesh mesh_;
 };
 

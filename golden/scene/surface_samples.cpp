@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "golden/effects/effect.h"
 #include "golden/scene/camera.h"
+#include "golden/scene/obj_file.h"
 #include "golden/scene/placed_object.h"
 
 namespace ptm::golden {
@@ -252,6 +254,17 @@ std::vector<SurfaceSample> make_samples(const UnitScene& scene, const LoadedText
   samples.reserve(count);
   for (const auto& part : parts) samples.insert(samples.end(), part.begin(), part.end());
   return samples;
+}
+
+std::vector<std::string> mesh_notes(const UnitScene& scene) {
+  std::set<std::filesystem::path> seen;
+  std::vector<std::string> notes;
+  for (const ObjectSpec& object : scene.objects) {
+    if (!object.mesh || !seen.insert(object.file).second) continue;
+    const ObjMesh mesh = read_obj(object.file);
+    notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
+  }
+  return notes;
 }
 
 std::optional<SurfaceSample> sample_pixel(const UnitScene& scene, const LoadedTextures& textures,

@@ -140,6 +140,7 @@ UnitJob make_unit_job(const UnitScene& scene) {
   job.timing.input_gap = scene.stress.input_gap / 256.0;
   job.timing.output_stall = scene.stress.output_stall / 256.0;
   job.textures = golden::load_textures(scene);
+  job.notes = golden::mesh_notes(scene);
   job.extras = golden::prepare_effects(job.scene, job.textures);
   for (const golden::DrawExtras& extras : job.extras) {
     for (const std::string& note : extras.notes) {  // several effects may say the same of a map

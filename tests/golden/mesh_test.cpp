@@ -1,5 +1,6 @@
 #include "golden/scene/mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -85,9 +86,9 @@ TEST_F(Obj, CutsAConcaveFaceInTheSameWayFromEveryCorner) {
     if (first.empty()) first = cut;
     EXPECT_EQ(cut, first) << turn;
   }
-  const ObjMesh comb = obj(
-      "v 0 0 0\nv 5 0 0\nv 5 2 0\nv 4 0.5 0\nv 3 2 0\nv 2 0.5 0\nv 1 2 0\n"
-      "f 3 4 5 6 7 1 2\n");
+  const ObjMesh comb =
+      obj("v 0 0 0\nv 5 0 0\nv 5 2 0\nv 4 0.5 0\nv 3 2 0\nv 2 0.5 0\nv 1 2 0\n"
+          "f 3 4 5 6 7 1 2\n");
   EXPECT_EQ(comb.triangles.size(), 5U);
   double shoelace = 0;
   for (std::size_t i = 0; i < 7; ++i) {
@@ -113,12 +114,27 @@ TEST_F(Obj, ReadsWhatExportersWriteBesideTheMesh) {
   EXPECT_EQ(mesh.triangles[0].corners[1].normal, 1);
 }
 
+TEST_F(Obj, LeavesOutFacesOfOneOrTwoCornersWithOneNote) {
+  const ObjMesh mesh = obj(kSquare + "f 1 2\nf 1 2 3\nf 3\nf 4 1\nf 1 3 4\n");
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  ASSERT_EQ(mesh.notes.size(), 1U);
+  EXPECT_EQ(mesh.notes[0],
+            "mesh.obj: 3 faces of fewer than three corners left out, the first in line 5");
+  EXPECT_EQ(obj_complaint(kSquare + "f 1 2\n"), "the file|no triangle that has an area|faces (f)");
+  EXPECT_EQ(obj_complaint(kSquare + "f 1 9\n"), "line 5|\"9\"|an index of one of the 4 v so far");
+}
+
+TEST_F(Obj, ReadsLinesOfOldMacintoshPrograms) {
+  std::string text = kSquare + "# a comment\nf 1 2 \\\n3\n";
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  EXPECT_EQ(obj(text).triangles.size(), 1U);
+}
+
 TEST_F(Obj, RefusesWhatItCannotUseWithTheLine) {
   EXPECT_EQ(obj_complaint("v 1 2\n"), "line 1|2 numbers|3");
   EXPECT_EQ(obj_complaint("v 1 2 x\n"), "line 1|\"x\"|a finite number");
   EXPECT_EQ(obj_complaint("v 1 2 1e300\n"), "line 1|\"1e300\"|a finite number");
   EXPECT_EQ(obj_complaint("\nv 1 2 nan\n"), "line 2|\"nan\"|a finite number");
-  EXPECT_EQ(obj_complaint(kSquare + "f 1 2\n"), "line 5|2 corners|three or more");
   EXPECT_EQ(obj_complaint(kSquare + "f 1 2 5\n"), "line 5|\"5\"|an index of one of the 4 v so far");
   EXPECT_EQ(obj_complaint(kSquare + "f 1 2 0\n"), "line 5|\"0\"|an index of one of the 4 v so far");
   EXPECT_EQ(obj_complaint(kSquare + "f 1 2 -5\n"),

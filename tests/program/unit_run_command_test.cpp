@@ -65,6 +65,20 @@ class UnitRunCommand : public tests::Program {
   }
 };
 
+TEST_F(UnitRunCommand, SaysWhichFacesOfAMeshAreLeftOut) {
+  write("m.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nf 1 2\nf 1/1 2/1 3/1\n");
+  const tests::Outcome outcome =
+      run("run " +
+          scene(kImage + kMap + kLight +
+                "[[object]]\nkind = \"mesh\"\nfile = \"m.obj\"\ntexture = \"m\"\n" kUnbuilt) +
+          out() + " --models golden");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("note: m.obj: 1 faces of fewer than three corners left out, the first "
+                             "in line 5"),
+            std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(UnitRunCommand, RefusesAFileThatIsNotThereNamingIt) {
   const std::string from = "[[texture]]\nname = \"m\"\n";
   for (const std::string source : {"ptm = \"absent.ptm\"", "capture = \"absent.lp\"",
