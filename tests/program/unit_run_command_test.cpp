@@ -70,7 +70,7 @@ TEST_F(UnitRunCommand, SaysWhichFacesOfAMeshAreLeftOut) {
   const tests::Outcome outcome =
       run("run " +
           scene(kImage + kMap + kLight +
-                "[[object]]\nkind = \"mesh\"\nfile = \"m.obj\"\ntexture = \"m\"\n" kUnbuilt) +
+                "[[object]]\nkind = \"mesh\"\nfile = \"m.obj\"\ntexture = \"m\"\n" + kUnbuilt) +
           out() + " --models golden");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("note: m.obj: 1 faces of fewer than three corners left out, the first "
