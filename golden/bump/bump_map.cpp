@@ -5,7 +5,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "golden/files/input_error.h"
 #include "golden/render/light_map.h"
 
 namespace ptm::golden {
@@ -63,28 +62,6 @@ NormalField normals_from_heights(const ImageReal& picture, double strength) {
       const double down =
           (height_at(picture, x, rows.after) - height_at(picture, x, rows.before)) / rows.apart();
       field.normals.push_back(unit(-strength * across, strength * down, 1));
-    }
-  }
-  return field;
-}
-
-NormalField normals_from_colors(const ImageReal& picture, double strength,
-                                const std::string& file) {
-  check(picture, strength);
-  if (picture.channels != 3) {
-    throw InputError(file, "channels", std::to_string(picture.channels), "3, a normal map");
-  }
-  NormalField field{.width = picture.width, .height = picture.height, .normals = {}};
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      const double u = 2 * picture.at(x, y, 0) / 255 - 1, v = 2 * picture.at(x, y, 1) / 255 - 1;
-      const double w = 2 * picture.at(x, y, 2) / 255 - 1;
-      if (!(w > 0)) {
-        throw InputError(file, "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")",
-                         "blue " + std::to_string(picture.at(x, y, 2)),
-                         "above 127.5, a normal above the horizon");
-      }
-      field.normals.push_back(unit(strength * u, strength * v, w));
     }
   }
   return field;

@@ -14,6 +14,7 @@ struct NormalField {
   int width = 0;
   int height = 0;
   std::vector<std::array<double, 3>> normals;
+  std::vector<std::string> notes = {};  ///< what was odd about the picture, said to the user
 };
 
 /// Normals of a height field (Blinn 1978), the picture's mean channel in levels.
@@ -23,12 +24,6 @@ struct NormalField {
 /// where y counts rows downwards. Differences are central, one-sided at the edges.
 /// An empty picture, or a strength that is not finite, throws std::invalid_argument.
 [[nodiscard]] NormalField normals_from_heights(const ImageReal& picture, double strength);
-
-/// Normals of a normal map: (2 level / 255 - 1) for each channel, then to unit length; red to the
-/// right, green up, blue to the viewer. `strength` scales the slope. Needs 3 channels; a normal of
-/// no length or below the horizon throws InputError naming `file` and the pixel.
-[[nodiscard]] NormalField normals_from_colors(const ImageReal& picture, double strength,
-                                              const std::string& file);
 
 /// Six coefficients a texel by the table, in levels (255 for full light): [height][width][6].
 [[nodiscard]] std::vector<double> bump_coefficients(const NormalField& field,

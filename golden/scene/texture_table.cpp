@@ -42,10 +42,15 @@ std::string_view source_key(const TableReader& table) {
 }
 
 void read_bump(const TableReader& table, TextureSpec& texture) {
-  constexpr std::array<std::pair<std::string_view, TextureSource>, 2> kinds{
-      {{"height", TextureSource::bump_heights}, {"normal", TextureSource::bump_normals}}};
-  texture.source = TextureSource::bump_heights;
-  table.choose<TextureSource>("kind", texture.source, kinds);
+  enum class Kind : std::uint8_t { height, normal, green_down };
+  constexpr std::array<std::pair<std::string_view, Kind>, 3> kinds{
+      {{"height", Kind::height},
+       {"normal", Kind::normal},
+       {"normal-green-down", Kind::green_down}}};
+  Kind kind = Kind::height;
+  table.choose<Kind>("kind", kind, kinds);
+  texture.source = kind == Kind::height ? TextureSource::bump_heights : TextureSource::bump_normals;
+  texture.green_down = kind == Kind::green_down;
   if (!table.has("strength")) return;
   table.read("strength", texture.strength.emplace(0), -1e6, 1e6);
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "golden/bump/bump_map.h"
+#include "golden/bump/normal_map.h"
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
 #include "golden/fit/fit_tile.h"
@@ -94,11 +94,14 @@ LoadedTexture load_capture(const TextureSpec& spec) {
 LoadedTexture load_bump(const TextureSpec& spec) {
   const ImageReal picture = read_picture(spec.file);
   check_size(spec.file, picture.width, picture.height);
-  const NormalField field =
+  NormalField field =
       spec.source == TextureSource::bump_heights
           ? normals_from_heights(picture, spec.strength.value_or(kBumpStrength))
-          : normals_from_colors(picture, spec.strength.value_or(1), spec.file.string());
+          : read_normal_map(picture,
+                            {.strength = spec.strength.value_or(1), .green_down = spec.green_down},
+                            spec.file.string());
   LoadedTexture texture;
+  texture.notes = std::move(field.notes);
   texture.width = field.width;
   texture.height = field.height;
   texture.coef = bump_coefficients(field, NormalTable(BumpDomain::hemisphere));

@@ -54,6 +54,7 @@ struct TextureSpec {
   MapKind kind = MapKind::lrgb;       ///< capture, generate: lrgb or rgb
   bool plain = false;                 ///< generate: a picture instead of a map
   std::optional<double> strength;     ///< of a bump map's heights (16) or normals (1)
+  bool green_down = false;            ///< of a map of normals
   std::string pattern;                ///< generate
   std::array<int, 2> size{256, 256};  ///< generate
   std::uint64_t seed = 1;             ///< generate

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/bump/bump_map.h"
+#include "golden/bump/normal_map.h"
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
 #include "testbench/program/commands.h"
@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 struct BumpOptions {
   std::string input, out;
-  bool height = false, normals = false, json = false;
+  bool height = false, normals = false, green_down = false, json = false;
   std::optional<double> strength;
   std::string domain = "hemisphere", preset = "base";
 };
@@ -38,7 +38,9 @@ golden::NormalField read_field(const BumpOptions& options) {
   }
   const golden::ImageReal picture = golden::read_picture(options.input);
   if (options.normals) {
-    return golden::normals_from_colors(picture, options.strength.value_or(1), options.input);
+    return golden::read_normal_map(
+        picture, {.strength = options.strength.value_or(1), .green_down = options.green_down},
+        options.input);
   }
   return golden::normals_from_heights(picture, options.strength.value_or(16));
 }
@@ -56,8 +58,10 @@ Json bump(const BumpOptions& options) {
       reference::find_preset(options.preset).config, quantize::Method::nearest_plane,
       quantize::hemisphere_gram());
   std::vector<std::uint8_t> white(field.normals.size() * 3, 255);
-  const auto notes =
+  auto notes = field.notes;
+  const auto written =
       golden::write_ptm(options.out, to_ptm(stored, golden::MapKind::lrgb, std::move(white)));
+  notes.insert(notes.end(), written.begin(), written.end());
   return {{"map", options.out},
           {"width", field.width},
           {"height", field.height},
@@ -92,7 +96,12 @@ void add_bump_command(CLI::App& app) {
   command->add_option("IN", options->input, "the picture")->required();
   command->add_option("--out", options->out, "the map to write (.ptm)")->required();
   auto* height = command->add_flag("--height", options->height, "IN holds heights (the default)");
-  command->add_flag("--normals", options->normals, "IN holds normals, green up")->excludes(height);
+  auto* normals = command->add_flag("--normals", options->normals, "IN holds normals, green up");
+  normals->excludes(height);
+  command
+      ->add_flag("--green-down", options->green_down,
+                 "the normals' green runs down the picture, as DirectX has it")
+      ->needs(normals);
   command
       ->add_option("--strength", options->strength,
                    "white's height in pixels (16), or a factor on a normal map's slopes (1)")

@@ -59,6 +59,39 @@ TEST(BumpCommand, TakesANormalMapAndAStrength) {
   EXPECT_GT(lit(""), lit(" --strength 3") + 50);  // leaning further right, away from the light
 }
 
+TEST(BumpCommand, TakesANormalMapWithABlackBackgroundAndWithGreenDown) {
+  const ScratchFolder folder;
+  golden::Image8 normals(24, 24, 3);
+  for (int y = 0; y < 24; ++y) {
+    for (int x = 0; x < 24; ++x) {
+      const double u = (x - 12) / 20.0, down = (y - 12) / 20.0, r = u * u + down * down;
+      if (r > 0.3) continue;  // a ball before black
+      const double parts[] = {u, down, std::sqrt(1 - r)};
+      for (int c = 0; c < 3; ++c) {
+        normals.at(x, y, c) = static_cast<std::uint8_t>(std::lround(127.5 * (1 + parts[c])));
+      }
+    }
+  }
+  golden::write_picture(folder / "n.png", normals);
+  const auto lit_from_above = [&](const std::string& more, bool says_green) {
+    const Outcome outcome =
+        run_program(folder / "log", "bump " + quoted(folder / "n.png") + " --normals" + more +
+                                        " --out " + quoted(folder / "m.ptm"));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("texels are background without a normal"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("as if green ran") != std::string::npos, says_green) << outcome.out;
+    return golden::light_map(golden::read_ptm(folder / "m.ptm").map, 0, 0.7);
+  };
+  const golden::ImageReal down = lit_from_above(" --green-down", false);
+  EXPECT_GT(down.at(12, 6), down.at(12, 18) + 50);  // the upper half faces up
+  const golden::ImageReal up = lit_from_above("", true);
+  EXPECT_LT(up.at(12, 6), up.at(12, 18) - 50);
+  EXPECT_EQ(run_program(folder / "log", "bump " + quoted(folder / "n.png") +
+                                            " --green-down --out " + quoted(folder / "m.ptm"))
+                .code,
+            2);
+}
+
 TEST(BumpCommand, RefusesBadPicturesWithCode3AndBadUsageWithCode2) {
   const ScratchFolder folder;
   golden::write_picture(folder / "h.png", hill(8));
