@@ -29,8 +29,10 @@ void read_dram(const TableReader& table, MemorySpec& memory) {
   table.read("tRFC", memory.t_rfc, 0, most);
   table.read("burst", memory.burst, 1, most);
   table.read("overhead", memory.overhead, 0, most);
-  if (memory.t_refi != 0 && memory.t_rfc >= memory.t_refi) {
-    table.fail("tRFC", std::to_string(memory.t_rfc), "less than tREFI, or tREFI = 0: no refresh");
+  if (memory.t_refi != 0 && memory.t_rfc + memory.t_rcd >= memory.t_refi) {
+    table.fail("tREFI", std::to_string(memory.t_refi),
+               "more than tRFC + tRCD, " + std::to_string(memory.t_rfc + memory.t_rcd) +
+                   ", or no row is ever read; 0 for no refresh");
   }
 }
 

@@ -37,8 +37,8 @@ class DramTiming final : public MemoryTiming {
     require(memory.banks >= 1, "DRAM: banks is below 1");
     require(memory.page_lines >= 1, "DRAM: page_lines is below 1");
     require(memory.burst >= 1, "DRAM: burst is 0, expected at least 1 cycle");
-    require(memory.tREFI == 0 || memory.tREFI > memory.tRFC,
-            "DRAM: tREFI is not longer than tRFC (0 for no refresh)");
+    require(memory.tREFI == 0 || memory.tREFI > memory.tRFC + memory.tRCD,
+            "DRAM: tREFI leaves no time for a read after tRFC and tRCD (0 for no refresh)");
     reset();
   }
 
@@ -46,15 +46,21 @@ class DramTiming final : public MemoryTiming {
     const std::uint32_t page = address / static_cast<std::uint32_t>(memory_.page_lines);
     const auto banks = static_cast<std::uint32_t>(memory_.banks);
     Bank& bank = banks_[page % banks];
-    const Cycle start = outside_refresh(std::max(cycle, bank.ready));
-    const Cycle opened = open(bank, page / banks, start);
-    Cycle read = std::max(opened, earliest_read());
-    // The row that waited for the bus until the next refresh is closed by it and opened again.
-    if (read > opened && period_of(read) != bank.period) {
-      read = open(bank, page / banks, outside_refresh(read));
+    Cycle start = outside_refresh(std::max(cycle, bank.ready));
+    Commands commands = earliest(bank, page / banks, start);
+    // Commands that would not all come before the next refresh come after it, or after the last one
+    // before the bus is free.
+    while (period_of(commands.read) != period_of(start)) {
+      const Cycle next = std::max(period_of(start) + 1, period_of(earliest_read()));
+      start = refreshed(next);
+      commands = earliest(bank, page / banks, start);
     }
-    bank.ready = read + memory_.burst;
-    const Cycle data = std::max(read + memory_.CL, bus_free_);
+    bank.row = page / banks;
+    bank.activated = commands.activate;
+    bank.next_activate = commands.activate + memory_.tRAS + memory_.tRP;
+    bank.period = period_of(start);
+    bank.ready = commands.read + memory_.burst;
+    const Cycle data = commands.read + memory_.CL;
     bus_free_ = data + memory_.burst;
     return bus_free_ + memory_.overhead;
   }
@@ -66,10 +72,15 @@ class DramTiming final : public MemoryTiming {
 
  private:
   struct Bank {
-    std::int64_t row = -1;  ///< open row, -1 for none
+    std::int64_t row = -1;  ///< last opened row, -1 for none
     Cycle activated = 0;
-    Cycle ready = 0;   ///< for the next command
-    Cycle period = 0;  ///< between which refreshes the row was opened
+    Cycle next_activate = 0;  ///< tRC after that
+    Cycle ready = 0;          ///< for the next command
+    Cycle period = 0;         ///< between which refreshes the row was opened
+  };
+  struct Commands {
+    Cycle activate = 0;  ///< of the row that is read, now or earlier
+    Cycle read = 0;
   };
 
   /// A read command whose data would meet a busy bus is not given: data follow it after CL.
@@ -81,21 +92,22 @@ class DramTiming final : public MemoryTiming {
     return memory_.tREFI == 0 ? 0 : cycle / memory_.tREFI;
   }
 
-  [[nodiscard]] Cycle outside_refresh(Cycle cycle) const {
-    const Cycle begin = period_of(cycle) * memory_.tREFI;
-    return begin == 0 ? cycle : std::max(cycle, begin + memory_.tRFC);
+  /// The first cycle of a period in which commands may come.
+  [[nodiscard]] Cycle refreshed(Cycle period) const {
+    return period == 0 ? 0 : period * memory_.tREFI + memory_.tRFC;
   }
 
-  /// Opens the row if it is not; returns the cycle of the read command.
-  Cycle open(Bank& bank, std::int64_t row, Cycle start) const {
-    if (bank.period != period_of(start)) bank.row = -1;
-    bank.period = period_of(start);
-    if (bank.row == row) return start;
-    const bool other_row = bank.row >= 0;
-    bank.activated =
-        other_row ? std::max(start, bank.activated + memory_.tRAS) + memory_.tRP : start;
-    bank.row = row;
-    return bank.activated + memory_.tRCD;
+  [[nodiscard]] Cycle outside_refresh(Cycle cycle) const {
+    return std::max(cycle, refreshed(period_of(cycle)));
+  }
+
+  /// The commands that read a row, none before `start`, as if no refresh came after it.
+  [[nodiscard]] Commands earliest(const Bank& bank, std::int64_t row, Cycle start) const {
+    const bool open = bank.row >= 0 && bank.period == period_of(start);
+    if (open && bank.row == row) return {bank.activated, std::max(start, earliest_read())};
+    // A precharge that waits for tRAS is one that waits for tRC.
+    const Cycle activate = std::max(open ? start + memory_.tRP : start, bank.next_activate);
+    return {activate, std::max(activate + memory_.tRCD, earliest_read())};
   }
 
   DramMemory memory_;

@@ -35,17 +35,20 @@ struct FixedMemory {
 
 /// A paged DRAM behind one channel, parameters named after their data-sheet fields, in the unit's
 /// cycles. Page p = address / page_lines is row p / banks of bank p mod banks. A request's commands
-/// start when it comes and its bank has read for the one before (`burst` cycles after that read):
+/// start when it comes and its bank has read for the one before (`burst` cycles after that read),
+/// each in the earliest cycle that the following allow:
 ///
 ///     row open     read at once
 ///     none open    activate, tRCD later read
 ///     other open   precharge (tRAS after its activation at the earliest), tRP later activate
+///     tRC          a bank's activations are tRAS + tRP apart, whatever closed the row between them
+///     bus          data follow CL after the read on one bus, in request order, `burst` cycles a
+///                  line; a read waits until its data find the bus free
+///     refresh      none of the commands lies in the first tRFC cycles of each tREFI (the first one
+///                  excepted); tRFC includes the closing of every row. Data of a read given before
+///                  still arrive. Commands that would not all come before a refresh come after it.
 ///
-/// Data follow CL after the read on one bus, in request order, `burst` cycles a line; a read waits
-/// until its data find the bus free. The answer arrives `overhead` cycles after the last data.
-/// Commands do not start in the first tRFC cycles of each tREFI (the first one excepted), and find
-/// every row closed then. A row that is opened for a request just before a refresh is still read,
-/// unless that read has to wait for the bus: then the row is opened again after the refresh.
+/// The answer arrives `overhead` cycles after the last data.
 struct DramMemory {
   int banks = 8;
   int page_lines = 32;  ///< lines of 64 bytes a row holds

@@ -207,6 +207,9 @@ TEST_F(UnitSceneFile, RefusesWhatMeansNothingWithItsLine) {
       {kMap + "probes = 6\n" + kPlane + kLight, "line 4 (texture[0].probes)|6|1, 2, 4, 8 or 16"},
       {kMap + "ptm = \"a.ptm\"\n" + kPlane + kLight,
        "line 3 (texture[0].generate)|a second source beside 'ptm'|one source"},
+      {kMap + kPlane + kLight + "[memory]\nkind = \"dram\"\ntREFI = 274\n",
+       "line 11 (memory.tREFI)|274|more than tRFC + tRCD, 274, or no row is ever read; 0 for no "
+       "refresh"},
       {kMap + kMap + kPlane + kLight, "line 5 (texture[1].name)|'m' twice|each name once"},
       {kMap + "strength = 2\n" + kPlane + kLight,
        "line 4|unknown key 'texture[0].strength'|one of generate, size, seed, kind, name, palette, "
