@@ -35,6 +35,21 @@ Rgba mix(const Rgba& a, const Rgba& b, double weight) {
   return out;
 }
 
+/// floor(lod + 1/2); the sum itself would be rounded, and up to a level just below a half.
+int nearest_level(double lod) {
+  const int level = static_cast<int>(lod);
+  return lod - level >= 0.5 ? level + 1 : level;
+}
+
+/// The texel of the endless row of texels at [k / side, (k + 1) / side), with each edge at the
+/// double nearest to it: an edge is itself met by a coordinate that was computed as k / side, even
+/// where that is no double, and the rounded product with `side` may be on either side of k.
+double endless_texel(double coordinate, int side) {
+  const double near = std::floor(coordinate * side);
+  if ((near + 1) / side <= coordinate) return near + 1;
+  return near / side > coordinate ? near - 1 : near;
+}
+
 template <class Texture>
 Rgba within_level(const Texture& texture, const TextureQuery& query, int level, double u,
                   double v) {
@@ -57,7 +72,7 @@ Rgba one_probe(const Texture& texture, const TextureQuery& query, double u, doub
     case MipMode::none:
       return within_level(texture, query, 0, u, v);
     case MipMode::nearest:
-      return within_level(texture, query, std::min(static_cast<int>(lod + 0.5), last), u, v);
+      return within_level(texture, query, nearest_level(lod), u, v);
     default:
       break;
   }
@@ -91,14 +106,20 @@ double wrapped(double coordinate, WrapMode mode) {
 }
 
 int point_texel(double coordinate, int side, WrapMode mode) {
-  if (mode != WrapMode::mirror) {
-    return std::min(static_cast<int>(wrapped(coordinate, mode) * side), side - 1);
+  const double last = side - 1.0;
+  if (mode == WrapMode::clamp) {
+    return static_cast<int>(std::clamp(endless_texel(wrapped(coordinate, mode), side), 0.0, last));
   }
+  // Far out doubles are wider apart than texels: whole pairs of periods are taken off exactly.
+  constexpr double kFar = 0x1p53;
+  const bool far = std::abs(coordinate) * side >= kFar;
+  const double endless = endless_texel(far ? std::fmod(coordinate, 2) : coordinate, side);
   // A texel owns its lower edge, in the mirrored half of the row too: so the texel is found in the
   // endless row first and mirrored after, not the other way round.
-  const double within_two = coordinate - 2 * std::floor(coordinate / 2);
-  const int i = std::min(static_cast<int>(within_two * side), 2 * side - 1);
-  return i < side ? i : 2 * side - 1 - i;
+  const double both = std::fmod(endless, 2.0 * side);
+  const int i = static_cast<int>(both < 0 ? both + 2 * side : both);
+  if (i < side) return i;
+  return mode == WrapMode::mirror ? 2 * side - 1 - i : i - side;
 }
 
 Rgba filter_texture(const MipTexture& texture, const TextureQuery& query) {

@@ -34,8 +34,10 @@ struct TextureQuery {
 /// A coordinate within one period: repeat and mirror give [0, 1], clamp limits to that.
 [[nodiscard]] double wrapped(double coordinate, WrapMode mode);
 
-/// The texel along a side of `side` texels that point sampling takes: floor(coordinate * side) in
-/// the endless row, then wrapped. A sample on an edge takes the texel above it in that row.
+/// The texel along a side of `side` texels that point sampling takes: texel k of the endless row
+/// holds [k / side, (k + 1) / side), each edge counted as the double nearest to it; then it is
+/// wrapped. A sample on an edge takes the texel above it in the endless row, whatever the wrap.
+/// `coordinate` is finite.
 [[nodiscard]] int point_texel(double coordinate, int side, WrapMode mode);
 
 }  // namespace ptm::golden

@@ -1,9 +1,9 @@
 #include "golden/scene/flat_samples.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "golden/render/light_map.h"
+#include "golden/render/texture_filter.h"
 
 namespace ptm::golden {
 
@@ -12,8 +12,8 @@ Sample flat_sample(int x, int y, int width, int height, const Light& light) {
 }
 
 std::size_t nearest_texel(const PtmMap& map, const Sample& sample) {
-  const auto x = static_cast<std::size_t>(std::floor(sample.u * map.width));
-  const auto y = static_cast<std::size_t>(std::floor(sample.v * map.height));
+  const auto x = static_cast<std::size_t>(point_texel(sample.u, map.width, WrapMode::clamp));
+  const auto y = static_cast<std::size_t>(point_texel(sample.v, map.height, WrapMode::clamp));
   return y * static_cast<std::size_t>(map.width) + x;
 }
 

@@ -18,7 +18,8 @@ struct Sample {
 ///     u = (x + 1/2) / width, v = (y + 1/2) / height
 [[nodiscard]] Sample flat_sample(int x, int y, int width, int height, const Light& light);
 
-/// The texel that holds the sample: floor(u W), floor(v H); u and v in [0, 1).
+/// The texel that holds the sample, as point_texel() finds it: floor(u W), floor(v H); u and v in
+/// [0, 1).
 [[nodiscard]] std::size_t nearest_texel(const PtmMap& map, const Sample& sample);
 
 /// The golden picture of a flat map under one light, [height][width][3], point sampled.
