@@ -67,17 +67,12 @@ module ptm_evaluator #(
                                             ShiftMin, FilterFrac);
   localparam int ProductW = ptm_pkg::color_product_bits(LumBits, LumFrac, FilterFrac);
 
-  `PTM_ASSERT_INIT(CoefBitsInRange_A, CoefBits >= 4 && CoefBits <= 12)
-  `PTM_ASSERT_INIT(DeltaBitsInRange_A, DeltaBits >= 5 && DeltaBits <= 13)
-  `PTM_ASSERT_INIT(LightIntInRange_A, LightInt >= 1 && LightInt <= 3)
-  `PTM_ASSERT_INIT(LightFracInRange_A, LightFrac >= 4 && LightFrac <= 14)
-  `PTM_ASSERT_INIT(BasisFracInRange_A, BasisFrac >= 4 && BasisFrac <= 2 * LightFrac)
-  `PTM_ASSERT_INIT(GuardInRange_A, Guard >= 0 && Guard <= 12)
-  `PTM_ASSERT_INIT(LumBitsInRange_A, LumBits >= 8 && LumBits <= 12)
-  `PTM_ASSERT_INIT(LumFracInRange_A, LumFrac >= 0 && LumFrac <= 4)
-  `PTM_ASSERT_INIT(ShiftMinInRange_A, ShiftMin >= -8 && ShiftMin <= 0)
-  `PTM_ASSERT_INIT(ShiftGroupsInRange_A, ShiftGroups == 3 || ShiftGroups == 6)
-  `PTM_ASSERT_INIT(FilterFracInRange_A, FilterFrac >= 0 && FilterFrac <= 4)
+  ptm_evaluator_parameters #(
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .Assemble(Assemble), .SidebandBits(SidebandBits)
+  ) u_parameters ();
 
   // What travels beside every stage
   typedef struct packed {

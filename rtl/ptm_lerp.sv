@@ -4,6 +4,7 @@
 //
 // The result lies between a and b, so it needs no more bits than they have.
 // Twin: ptm::reference::lerp() in model/reference/lerp.h. Combinational.
+`include "ptm_assert.svh"
 module ptm_lerp #(
   parameter int Width        = 8,  // of a stored value: CoefBits + FilterFrac
   parameter int RoundNearest = 1
@@ -13,6 +14,9 @@ module ptm_lerp #(
   input  logic [ptm_pkg::LerpFracBits-1:0] f_i,  // Q0.8
   output logic [Width-1:0]                 y_o
 );
+  `PTM_REQUIRE(ptm_illegal_Width_not_1_or_more, Width >= 1)
+  `PTM_REQUIRE(ptm_illegal_RoundNearest_not_0_or_1, RoundNearest == 0 || RoundNearest == 1)
+
   // y = floor((a * 2^8 + (b - a) * f + half) / 2^8). It is in range, so all of it may be computed
   // modulo 2^(Width + 8), where the difference needs no sign.
   localparam int SumW = Width + ptm_pkg::LerpFracBits;

@@ -10,7 +10,6 @@
 // port's read.
 //
 // Twins: ptm::reference::shade() for values, the timing `exact` of model/pipeline for cycles.
-`include "ptm_assert.svh"
 module ptm_unit #(
   // EvalConfig; as ptm_evaluator, but CoefBits at most 10
   parameter int CoefBits     = 8,
@@ -82,6 +81,16 @@ module ptm_unit #(
   output logic                               pix_lum_saturated_o,
   output logic                               pix_color_saturated_o
 );
+  ptm_unit_parameters #(
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
+    .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
+    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
+    .ExtraPasses(ExtraPasses), .Stages(Stages)
+  ) u_parameters ();
+
   // Registers
   logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws;
   logic [5:0]  counter_number;
@@ -158,10 +167,6 @@ module ptm_unit #(
   for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_sets
     assign sets[3*d +: 3] = effects[d*ptm_unit_pkg::EffectW + ptm_unit_pkg::EffectSetsAt +: 3];
   end
-
-  `PTM_ASSERT_INIT(HalfVectorNeedsPasses_A, HalfVector == 0 || ExtraPasses > 0)
-  `PTM_ASSERT_INIT(ExtraSetsInRange_A, ExtraSets >= 0 && ExtraSets <= ExtraPasses)
-  `PTM_ASSERT_INIT(ExtraPassesInRange_A, ExtraPasses >= 0 && ExtraPasses <= 4)
 
   // D
   logic                                d_valid, d_ready;

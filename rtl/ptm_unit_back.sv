@@ -81,10 +81,6 @@ module ptm_unit_back #(
   localparam int PixelW   = ptm_unit_pkg::PixelBits;
   localparam int DrawNumW = ptm_unit_pkg::DrawBits;
 
-  `PTM_ASSERT_INIT(CoefBitsFitThreeToAWord_A, CoefBits <= 10)
-  `PTM_ASSERT_INIT(TmusInRange_A, Tmus >= 1 && Tmus <= 3)
-  `PTM_ASSERT_INIT(EvalLanesInRange_A, EvalLanes == 1 || EvalLanes == 3)
-
   // D to O
   logic                            load_p, o_valid, o_ready, o_last_pass, o_rgb_map;
   logic [EvalLanes*6*StoredW-1:0]  o_coef;

@@ -6,7 +6,6 @@
 //
 // Timing of every register: docs/spec/unit-timing.md. ready_o, the requests and everything towards
 // memory depend on registers alone; D's ready reaches back to the fragment FIFO's exit.
-`include "ptm_assert.svh"
 module ptm_unit_front #(
   parameter int Tmus         = 3,    // 1..3
   parameter int CacheKib     = 16,   // of a TMU; 1..64, a power of two
@@ -58,13 +57,6 @@ module ptm_unit_front #(
   localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits;
   localparam int TakenW = ptm_unit_front_pkg::TakenW;
   localparam int ReadsW = ptm_unit_front_pkg::ReadsW;
-
-  `PTM_ASSERT_INIT(TmusInRange_A, Tmus >= 1 && Tmus <= 3)
-  `PTM_ASSERT_INIT(CacheKibInRange_A,
-                   CacheKib >= 1 && CacheKib <= 64 && (CacheKib & (CacheKib - 1)) == 0)
-  `PTM_ASSERT_INIT(WaysInRange_A, Ways == 1 || Ways == 2 || Ways == 4)
-  `PTM_ASSERT_INIT(FragmentFifoInRange_A, FragmentFifo >= 4 && FragmentFifo <= 1024)
-  `PTM_ASSERT_INIT(MissFifoInRange_A, MissFifo >= 4 * Tmus && MissFifo <= 256)
 
   // A0 to A3
   logic                a_valid, a_ready;

@@ -50,4 +50,5 @@ rtl/ptm_draw_check.sv
 rtl/ptm_effect_registers.sv
 rtl/ptm_unit_registers.sv
 rtl/ptm_half_fifo.sv
+rtl/ptm_unit_parameters.sv
 rtl/ptm_unit.sv

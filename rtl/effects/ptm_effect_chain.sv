@@ -34,7 +34,7 @@ module ptm_effect_chain #(
   output ptm_unit_pkg::pixel_t       pixel_o,
   output logic [5:0]                 inc_o    // multiplies of the pixels that enter stages
 );
-  `PTM_ASSERT_INIT(StagesAreInTheTable_A, (Stages & ~7) == 0)
+  `PTM_REQUIRE(ptm_illegal_Stages_that_this_build_has_not, (Stages & ~7) == 0)
 
   logic                 valid_0, ready_0;
   ptm_unit_pkg::pixel_t pixel_0;
