@@ -7,6 +7,7 @@
 
 #include "golden/files/ptm_file.h"
 #include "golden/files/ptm_row_writer.h"
+#include "golden/files/whole_file.h"
 #include "tests/scratch_folder.h"
 
 namespace ptm::golden {
