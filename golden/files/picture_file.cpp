@@ -10,7 +10,9 @@
 
 #include "golden/files/encoded_picture.h"
 #include "golden/files/open_picture.h"
+#include "golden/files/orientation.h"
 #include "golden/files/pending_file.h"
+#include "golden/files/whole_file.h"
 
 namespace ptm::golden {
 namespace {
@@ -45,7 +47,20 @@ std::vector<double> read_all_channels(const std::filesystem::path& path, OIIO::I
   }
 }
 
-/// All channels as the file has them: [height][width][channels], finite.
+ImageReal upright(ImageReal image, int tag) {
+  const Orientation orientation(tag, image.width, image.height);
+  if (orientation.tag() == 1) return image;
+  ImageReal turned(orientation.width(), orientation.height(), image.channels);
+  for (int y = 0; y < turned.height; ++y) {
+    for (int x = 0; x < turned.width; ++x) {
+      const auto from = orientation.stored(x, y);
+      for (int c = 0; c < image.channels; ++c) turned.at(x, y, c) = image.at(from[0], from[1], c);
+    }
+  }
+  return turned;
+}
+
+/// All channels as the file has them, upright: [height][width][channels], finite.
 ImageReal read_channels(const std::filesystem::path& path) {
   const auto input = open_picture(path);
   const OIIO::ImageSpec spec = input->spec();
@@ -58,7 +73,7 @@ ImageReal read_channels(const std::filesystem::path& path) {
                    [](double v) { return std::isfinite(v); })) {
     fail_picture(path, "pixels", "infinite samples or NaN", "finite samples");
   }
-  return image;
+  return upright(std::move(image), spec.get_int_attribute("Orientation", 1));
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace ptm::golden {
 
 /// Reads any picture OpenImageIO reads, 1 or 3 channels kept (alpha dropped), as 8-bit levels:
 /// 8-bit files give their integers, 16-bit and float ones are scaled to 0..255 without rounding.
-/// Throws InputError.
+/// It is turned and mirrored as its tag Orientation (Exif, TIFF) says; colours that mean
+/// directions, a normal map's, are taken as those of the turned picture. Throws InputError.
 [[nodiscard]] ImageReal read_picture(const std::filesystem::path& path);
 
 /// The same as red, green, blue and alpha; grey fills all three colours. Alpha is 255 where the

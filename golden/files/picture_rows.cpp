@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "golden/files/open_picture.h"
+#include "golden/files/orientation.h"
 
 namespace ptm::golden {
 namespace {
@@ -14,6 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kBrightest = 1e9;  ///< levels; beyond it a picture holds no photograph
+
+/// Rows decoded at once of a picture whose rows are the upright one's columns.
+constexpr int kStripRows = 64;
 
 /// Baseline JPEG: the first frame header is SOF0 or SOF1 (ITU-T T.81, B.1.1.3).
 bool is_sequential_jpeg(std::ifstream& in) {
@@ -65,6 +69,7 @@ struct PictureRows::State {
   std::unique_ptr<OIIO::ImageInput> input;
   OIIO::ImageSpec spec;
   bool streams = false;
+  Orientation orientation;
   int next_row = 0;          ///< where the open decoder stands
   std::vector<float> table;  ///< integer pictures only
 
@@ -91,21 +96,41 @@ struct PictureRows::State {
     return stored;
   }
 
-  /// Hands each sample of `region` to take(plane, index, stored value).
+  /// Hands each sample of `region`, upright, to take(plane, index, stored value).
   template <class Stored, class Take>
   void for_each(const Region& region, OIIO::TypeDesc type, Take take) {
-    const std::vector<Stored> stored = decode<Stored>(region.y, region.height, type);
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
-    const auto width = static_cast<std::size_t>(region.width);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(region.height); ++y) {
-      const Stored* from = stored.data() + (y * static_cast<std::size_t>(spec.width) +
-                                            static_cast<std::size_t>(region.x)) *
-                                               channels;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t channel = channels < 3 ? 0 : c;
-        for (std::size_t x = 0; x < width; ++x) {
-          take(c, y * width + x, from[x * channels + channel]);
-        }
+    const auto one = orientation.stored(region.x, region.y);
+    const auto other =
+        orientation.stored(region.x + region.width - 1, region.y + region.height - 1);
+    const int top = std::min(one[1], other[1]), bottom = std::max(one[1], other[1]) + 1;
+    // A turned picture's row needs all stored rows: a few at a time where the decoder lets them go.
+    const int strip = orientation.swaps() && streams ? kStripRows : bottom - top;
+    for (int y = top; y < bottom; y += strip) {
+      const int rows = std::min(strip, bottom - y);
+      const std::vector<Stored> stored = decode<Stored>(y, rows, type);
+      for (int r = 0; r < rows; ++r) {
+        const Stored* row =
+            stored.data() + static_cast<std::ptrdiff_t>(r) * spec.width * spec.nchannels;
+        take_row(region, row, y + r, std::min(one[0], other[0]), std::max(one[0], other[0]), take);
+      }
+    }
+  }
+
+  /// The samples left..right of a stored row, to where they stand upright.
+  template <class Stored, class Take>
+  void take_row(const Region& region, const Stored* row, int y, int left, int right,
+                Take take) const {
+    const auto index = [&](int x) {
+      const auto at = orientation.upright(x, y);
+      return std::ptrdiff_t{at[1] - region.y} * region.width + (at[0] - region.x);
+    };
+    const std::ptrdiff_t first = index(left), step = left < right ? index(left + 1) - first : 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Stored* from =
+          row + static_cast<std::ptrdiff_t>(left) * spec.nchannels + (spec.nchannels < 3 ? 0 : c);
+      std::ptrdiff_t at = first;
+      for (int x = left; x <= right; ++x, at += step, from += spec.nchannels) {
+        take(c, static_cast<std::size_t>(at), *from);
       }
     }
   }
@@ -138,10 +163,14 @@ struct PictureRows::State {
   }
 };
 
-PictureRows::PictureRows(const fs::path& path, bool linear) : state_(std::make_unique<State>()) {
+PictureRows::PictureRows(const fs::path& path, bool linear, bool as_stored)
+    : state_(std::make_unique<State>()) {
   state_->path = path;
   const auto input = open_picture(path);
   state_->spec = input->spec();
+  const OIIO::ImageSpec& spec = state_->spec;
+  state_->orientation = Orientation(as_stored ? 1 : spec.get_int_attribute("Orientation", 1),
+                                    spec.width, spec.height);
   state_->streams = has_row_decoder(path, *input);
   if (state_->spec.format == OIIO::TypeDesc::UINT8) state_->table = level_table(255, linear);
   if (state_->spec.format == OIIO::TypeDesc::UINT16) state_->table = level_table(65535, linear);
@@ -150,9 +179,13 @@ PictureRows::PictureRows(PictureRows&&) noexcept = default;
 PictureRows& PictureRows::operator=(PictureRows&&) noexcept = default;
 PictureRows::~PictureRows() = default;
 
-int PictureRows::width() const { return state_->spec.width; }
-int PictureRows::height() const { return state_->spec.height; }
+int PictureRows::width() const { return state_->orientation.width(); }
+int PictureRows::height() const { return state_->orientation.height(); }
+int PictureRows::orientation() const { return state_->orientation.tag(); }
 bool PictureRows::streams() const { return state_->streams; }
+bool PictureRows::decodes_once() const {
+  return state_->streams && state_->orientation.keeps_rows();
+}
 
 void PictureRows::read(const Region& region, const std::array<std::span<float>, 3>& planes,
                        SampleCounts& counts) {

@@ -22,12 +22,15 @@ struct SampleCounts {
 
 /// A photograph that is read some rows at a time, each decoded once if they are asked for in order.
 ///
+/// It is turned and mirrored as its tag Orientation (Exif, TIFF) says, unless it is asked for as it
+/// is stored: rows, sizes and regions are the upright picture's.
+///
 /// Levels are 0..255 as in read_picture(). With `linear`, integer samples are sRGB and are decoded:
 /// 255 * EOTF(s / white) with EOTF of IEC 61966-2-1; float samples are linear already.
 class PictureRows {
  public:
   /// Reads the header only. Throws InputError.
-  PictureRows(const std::filesystem::path& path, bool linear);
+  PictureRows(const std::filesystem::path& path, bool linear, bool as_stored = false);
   PictureRows(PictureRows&&) noexcept;
   PictureRows& operator=(PictureRows&&) noexcept;
   ~PictureRows();
@@ -37,6 +40,10 @@ class PictureRows {
   /// True if rows in order need no more memory than a few rows; false where the format or its
   /// decoder holds the whole picture (progressive JPEG, interlaced PNG, tiles, other formats).
   [[nodiscard]] bool streams() const;
+  /// True if in addition rows in order are decoded once: they are stored in this order. Of turned
+  /// pictures each read() decodes what it needs anew, some rows at a time.
+  [[nodiscard]] bool decodes_once() const;
+  [[nodiscard]] int orientation() const;  ///< the tag that is applied, 1..8; 1 does nothing
 
   /// Reads a rectangle into three planes [height][width]; a grey picture fills all three.
   /// Throws InputError: pixels that cannot be decoded, samples that are not finite.

@@ -61,6 +61,22 @@ Region region_of(const CaptureRequest& request, int width, int height) {
   return r;
 }
 
+/// Says what was turned; of one camera that stood still, all photographs should be alike.
+void tell_orientations(Capture& capture) {
+  std::map<int, int> tags;
+  for (const PictureRows& photograph : capture.photographs) ++tags[photograph.orientation()];
+  if (tags.size() == 1 && tags.begin()->first == 1) return;
+  std::string note = "photographs were turned or mirrored as their tag Orientation says: ";
+  for (const auto& [tag, count] : tags) {
+    note += (tag == tags.begin()->first ? "" : ", ") + std::to_string(count) + " with " +
+            std::to_string(tag);
+  }
+  if (tags.size() > 1) {
+    note += "; of a camera that stood still these tags would be one, --as-stored passes over them";
+  }
+  capture.notes.push_back(note);
+}
+
 }  // namespace
 
 Capture open_capture(const CaptureRequest& request) {
@@ -71,7 +87,7 @@ Capture open_capture(const CaptureRequest& request) {
   TakenPictures taken;
   for (const LitPicture& lit : lights.pictures) {
     if (!request.share_pictures) taken.take(lit, list);
-    PictureRows photograph(lit.picture, request.linear);
+    PictureRows photograph(lit.picture, request.linear, request.as_stored);
     const int width = photograph.width(), height = photograph.height();
     if (capture.photographs.empty()) {
       capture.region = region_of(request, width, height);
@@ -81,13 +97,17 @@ Capture open_capture(const CaptureRequest& request) {
         throw InputError(
             list, "line " + std::to_string(lit.line),
             lit.picture.filename().string() + " of " + size_of(width, height) + " pixels",
-            size_of(first.width(), first.height()) + " like the first photograph");
+            size_of(first.width(), first.height()) + " like the first photograph" +
+                (photograph.orientation() == first.orientation()
+                     ? ""
+                     : ", whose tag Orientation differs; --as-stored passes over these tags"));
       }
     }
     capture.photographs.push_back(std::move(photograph));
     capture.names.push_back(lit.picture.filename().string());
     capture.directions.push_back(lit.direction);
   }
+  tell_orientations(capture);
   return capture;
 }
 

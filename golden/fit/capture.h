@@ -17,6 +17,7 @@ struct CaptureRequest {
   bool univariate = false;
   bool share_pictures = false;   ///< several lights may have the same picture
   bool linear = false;           ///< integer samples are sRGB and are decoded to linear light
+  bool as_stored = false;        ///< the photographs' tag Orientation is passed over
   std::optional<Region> region;  ///< the part to fit; all of it without
 };
 

@@ -16,6 +16,10 @@ LightSolver solve_lights(std::span<const std::array<double, 3>> directions) {
   Eigen::Matrix<double, Eigen::Dynamic, 6> design(static_cast<Eigen::Index>(directions.size()), 6);
   Eigen::Index row = 0;
   for (const auto& d : directions) design.row(row++) = light_basis(d[0], d[1]).transpose();
+  return solve_design(design);
+}
+
+LightSolver solve_design(const Eigen::Matrix<double, Eigen::Dynamic, 6>& design) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(design, Eigen::ComputeThinU | Eigen::ComputeThinV);
   LightSolver solver;
   solver.singular_values = svd.singularValues();

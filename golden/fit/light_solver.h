@@ -37,4 +37,7 @@ inline constexpr double kIllConditioned = 1e3;
 /// and v's coefficients 0; at least one (std::invalid_argument otherwise).
 [[nodiscard]] LightSolver solve_lights(std::span<const std::array<double, 3>> directions);
 
+/// The same for rows of the basis, one a light; at least one.
+[[nodiscard]] LightSolver solve_design(const Eigen::Matrix<double, Eigen::Dynamic, 6>& design);
+
 }  // namespace ptm::golden

@@ -29,9 +29,9 @@ PhotoBands::PhotoBands(std::span<Capture* const> captures, std::size_t budget, s
   rows_ = (height_ + bands - 1) / bands;
 }
 
-bool PhotoBands::all_stream() const {
+bool PhotoBands::all_decode_once() const {
   return std::all_of(sources_.begin(), sources_.end(),
-                     [](const Source& source) { return source.rows->streams(); });
+                     [](const Source& source) { return source.rows->decodes_once(); });
 }
 
 void PhotoBands::read(int index, Band& band) {

@@ -42,7 +42,8 @@ class PhotoBands {
   PhotoBands(std::span<Capture* const> captures, std::size_t budget, std::size_t beside = 0);
 
   [[nodiscard]] int bands() const { return (height_ + rows_ - 1) / rows_; }
-  [[nodiscard]] bool all_stream() const;
+  /// Whether no photograph is decoded more than once (PictureRows::decodes_once()).
+  [[nodiscard]] bool all_decode_once() const;
   /// Reuses the memory of `band`. Throws InputError. Calls in order decode each photograph once.
   void read(int index, Band& band);
   /// Of everything read so far.

@@ -84,6 +84,7 @@ Json describe_lights(const FitJudgement& judgement) {
   for (std::size_t i = 0; i < judgement.names.size(); ++i) {
     Json light = {{"picture", judgement.names[i]}, {"light", judgement.directions[i]}};
     light.update(describe(judgement.lights[i]));
+    light["contradicts"] = static_cast<bool>(judgement.contradicts[i]);
     lights.push_back(std::move(light));
   }
   return lights;
@@ -122,6 +123,7 @@ Json to_json(const FitArguments& arguments, const FitJob& job, const FitOutcome&
   out["condition"] = outcome.solver.condition;
   const auto& values = outcome.solver.singular_values;
   out["singular_values"] = std::vector<double>(values.data(), values.data() + values.size());
+  out["extrapolated"] = outcome.coverage.extrapolated;
   out["saturated_samples"] = outcome.saturated_samples;
   out["black_texels"] = outcome.black_texels;
   out["preset"] = arguments.preset;
@@ -226,6 +228,8 @@ void add_input_options(CLI::App& command, FitArguments& a) {
   command.add_flag("--share-pictures", a.job.capture.share_pictures,
                    "let several lights have the same picture (default: an error, since a list "
                    "whose folders are missing looks like that)");
+  command.add_flag("--as-stored", a.job.capture.as_stored,
+                   "do not turn photographs as their tag Orientation (Exif, TIFF) says");
   command.add_flag("--linear", a.job.capture.linear,
                    "decode sRGB and fit linear light (default: values as they are stored)");
   auto* hold_out = command

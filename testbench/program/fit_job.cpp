@@ -22,6 +22,9 @@ using golden::InputError;
 /// Polynomials that scales and biases are chosen by, at most about.
 constexpr std::size_t kSamplePolynomials = std::size_t{1} << 16;
 
+/// Photographs that a note names one by one.
+constexpr std::size_t kPhotographsTold = 8;
+
 /// Adds the time of a scope to a sum.
 class Timed {
  public:
@@ -87,6 +90,8 @@ class Runner {
       if (step_) step_(++steps_, total);
     }
     judge_->finish(out_);
+    tell_contradictions(out_.training);
+    if (out_.held_out) tell_contradictions(*out_.held_out);
     if (residual_) residual_->finish();
     writer.finish();
     if (whole_) whole_(out_);
@@ -156,9 +161,40 @@ class Runner {
     } else if (out_.solver.condition > golden::kIllConditioned) {
       out_.notes.push_back(lights + "are ill-conditioned: condition number " + condition);
     }
+    tell_coverage();
     judge_.emplace(training_, held_out_, out_.solver, job_.fit);
     const std::size_t all = shape_.texels() * polynomials();
     stride_ = (all + kSamplePolynomials - 1) / kSamplePolynomials;
+  }
+
+  void tell_coverage() {
+    if (job_.capture.univariate) return;  // a line of lights, not a hemisphere
+    out_.coverage = golden::cover_hemisphere(out_.solver);
+    if (out_.coverage.extrapolated < golden::kNarrowCoverage) return;
+    out_.notes.push_back(
+        "the lights leave " +
+        std::to_string(static_cast<int>(std::round(100 * out_.coverage.extrapolated))) +
+        " % of the hemisphere to extrapolation, where the map tells less than one photograph: "
+        "light " +
+        out_.coverage.directions);
+  }
+
+  void tell_contradictions(const FitJudgement& judged) {
+    std::string names;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < judged.names.size(); ++i) {
+      if (!judged.contradicts[i] || ++count > kPhotographsTold) continue;
+      names += (names.empty() ? "" : ", ") + judged.names[i] + " (" +
+               golden::format_real(std::round(judged.figures[i].value_or(0) * 10) / 10) +
+               " levels RMS)";
+    }
+    if (count == 0) return;
+    if (count > kPhotographsTold) names += ", ...";
+    out_.notes.push_back(std::to_string(count) + (&judged == &out_.training ? "" : " held-out") +
+                         " of " + std::to_string(judged.names.size()) +
+                         " photographs contradict the others; look at exposure, light and place "
+                         "in the list of " +
+                         names);
   }
 
   void read(golden::PhotoBands& bands, int index) {
@@ -229,7 +265,7 @@ class Runner {
                            std::to_string(out_.balance.scaled) + " had their colours scaled up, " +
                            std::to_string(out_.balance.remaining) + " still exceed it");
     }
-    if (bands.bands() > 1 && !bands.all_stream()) {
+    if (bands.bands() > 1 && !bands.all_decode_once()) {
       out_.notes.emplace_back(
           "some photographs cannot be read by rows and are decoded once for each band");
     }

@@ -7,6 +7,7 @@
 
 #include "golden/fit/capture.h"
 #include "golden/fit/fit_quality.h"
+#include "golden/fit/light_coverage.h"
 #include "model/quantize/balance.h"
 #include "testbench/program/map_storage.h"
 
@@ -30,12 +31,15 @@ struct FitJudgement {
   std::vector<std::array<double, 3>> directions;
   golden::Residual real, stored;         ///< over all of them
   std::vector<golden::Residual> lights;  ///< of the stored map, one a photograph
+  std::vector<bool> contradicts;         ///< of golden/fit/contradiction.h, as the next
+  std::vector<std::optional<double>> figures;
 };
 
 struct FitOutcome {
   int width = 0, height = 0;
   int bands = 0;
   golden::LightSolver solver;
+  golden::LightCoverage coverage;
   FitJudgement training;
   std::optional<FitJudgement> held_out;
   /// RMS leave-one-out residual of the fitted signals, in levels, one a photograph (none where no

@@ -11,6 +11,9 @@ using golden::Squares;
 /// Grey levels of the residual picture for one level of RMS residual.
 constexpr double kResidualGain = 4;
 
+/// Texels looked at for contradictions, at most about.
+constexpr std::size_t kSampleTexels = 4096;
+
 }  // namespace
 
 FitJudge::FitJudge(const golden::Capture& training, const golden::Capture& held_out,
@@ -19,7 +22,20 @@ FitJudge::FitJudge(const golden::Capture& training, const golden::Capture& held_
       held_out_(held_out),
       solver_(solver),
       options_(options),
-      sums_(training.names.size(), held_out.names.size()) {}
+      sums_(training.names.size(), held_out.names.size()) {
+  const auto texels = static_cast<std::size_t>(training.region.width) *
+                      static_cast<std::size_t>(training.region.height);
+  stride_ = (texels + kSampleTexels - 1) / kSampleTexels;
+  sample_.fitted = training.names.size();
+  auto& design = sample_.designs.emplace_back(
+      static_cast<Eigen::Index>(training.names.size() + held_out.names.size()), 6);
+  Eigen::Index row = 0;
+  for (const golden::Capture* capture : {&training, &held_out}) {
+    for (const auto& d : capture->directions) {
+      design.row(row++) = golden::light_basis(d[0], d[1]).transpose();
+    }
+  }
+}
 
 void FitJudge::LightSums::add(const LightSums& other) {
   for (std::size_t i = 0; i < real.size(); ++i) {
@@ -67,6 +83,7 @@ void FitJudge::add(const golden::Band& band, std::span<const double> coef,
     sums_.held_out.add(one.held_out);
     for (std::size_t i = 0; i < lights; ++i) sums_.leave_one_out[i] += one.leave_one_out[i];
   }
+  take_sample(band);
   texels_ += static_cast<double>(band.texels);
 }
 
@@ -88,9 +105,39 @@ FitJudgement FitJudge::judgement(const golden::Capture& capture, const LightSums
   return result;
 }
 
+/// Texels drawn by a fixed hash, so that no regular pattern of the picture meets a regular one of
+/// the sample.
+void FitJudge::take_sample(const golden::Band& band) {
+  const std::size_t photographs = training_.names.size() + held_out_.names.size();
+  for (std::size_t t = 0; t < band.texels; ++t) {
+    const auto number = static_cast<std::uint64_t>(texels_) + t;
+    if ((number * 0x9E3779B97F4A7C15 >> 32) % stride_ != 0) continue;
+    const golden::PhotoTile tile = band.tile(t, 1, 0);
+    Eigen::VectorXd& levels = sample_.levels.emplace_back(static_cast<Eigen::Index>(photographs));
+    for (std::size_t i = 0; i < photographs; ++i) {
+      double y = 0;
+      for (std::size_t c = 0; c < 3; ++c) y += golden::kLumaWeights[c] * double{*tile.plane(i, c)};
+      levels[static_cast<Eigen::Index>(i)] = y;
+    }
+  }
+}
+
+void FitJudge::find_contradictions(FitOutcome& outcome) const {
+  const golden::Contradictions found = golden::find_contradictions(sample_);
+  const auto take = [&](FitJudgement& judged, std::size_t first) {
+    const auto from = static_cast<std::ptrdiff_t>(first);
+    const auto to = from + static_cast<std::ptrdiff_t>(judged.names.size());
+    judged.contradicts.assign(found.contradicts.begin() + from, found.contradicts.begin() + to);
+    judged.figures.assign(found.figures.begin() + from, found.figures.begin() + to);
+  };
+  take(outcome.training, 0);
+  if (outcome.held_out) take(*outcome.held_out, training_.names.size());
+}
+
 void FitJudge::finish(FitOutcome& outcome) const {
   outcome.training = judgement(training_, sums_.training);
   if (!held_out_.names.empty()) outcome.held_out = judgement(held_out_, sums_.held_out);
+  find_contradictions(outcome);
   if (options_.robust_passes > 0) return;
   const double samples =
       texels_ * static_cast<double>(golden::fitted_signals(options_.kind).size());

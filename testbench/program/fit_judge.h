@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "golden/fit/capture.h"
+#include "golden/fit/contradiction.h"
 #include "golden/fit/fit_quality.h"
 #include "testbench/program/fit_job.h"
 
@@ -39,13 +40,17 @@ class FitJudge {
         : training(lights), held_out(others), leave_one_out(lights) {}
   };
   [[nodiscard]] FitJudgement judgement(const golden::Capture& capture, const LightSums& sums) const;
+  void take_sample(const golden::Band& band);
+  void find_contradictions(FitOutcome& outcome) const;
 
   const golden::Capture& training_;
   const golden::Capture& held_out_;
   const golden::LightSolver& solver_;
   golden::FitOptions options_;
   Sums sums_;
-  double texels_ = 0;  ///< seen so far
+  double texels_ = 0;   ///< seen so far
+  std::size_t stride_;  ///< of all texels, one in so many is looked at for contradictions
+  golden::ContradictionSample sample_;
 };
 
 }  // namespace ptm::testbench

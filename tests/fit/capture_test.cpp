@@ -161,6 +161,99 @@ TEST(Capture, ReadsJpegsByRowsAsItReadsThemWhole) {
   EXPECT_TRUE(PictureRows(folder / "p.jpg", false).streams());
 }
 
+/// 1 2 3 over 4 5 6, and the tag that says how to turn it.
+void write_turned(const std::filesystem::path& path, int tag, bool tiled) {
+  OIIO::ImageSpec spec(3, 2, 1, OIIO::TypeDesc::UINT8);
+  spec.attribute("Orientation", tag);
+  if (tiled) spec.tile_width = spec.tile_height = 16;
+  const auto output = OIIO::ImageOutput::create(path.string());
+  const std::array<std::uint8_t, 6> samples{1, 2, 3, 4, 5, 6};
+  ASSERT_TRUE(output->open(path.string(), spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, samples.data()) && output->close());
+}
+
+TEST(Capture, TurnsPhotographsAsTheirTagSays) {
+  const ScratchFolder folder;
+  // What Exif (tag 0x0112) says of the stored rows 1 2 3 and 4 5 6, one a line.
+  const std::vector<std::vector<float>> upright{
+      {1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1}, {4, 5, 6, 1, 2, 3},
+      {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3}, {6, 3, 5, 2, 4, 1}, {3, 6, 2, 5, 1, 4}};
+  for (const bool tiled : {false, true}) {
+    for (int tag = 0; tag <= 9; ++tag) {
+      const bool applies = tag >= 1 && tag <= 8;
+      const std::vector<float>& wanted = upright[applies ? static_cast<std::size_t>(tag) - 1 : 0];
+      write_turned(folder / "t.tif", tag, tiled);
+      CaptureRequest asked = request(folder.write("c.lp", "t.tif 0 0 1\n"));
+      const Capture capture = open_capture(asked);
+      EXPECT_EQ(capture.region.width, applies && tag >= 5 ? 2 : 3) << tag;
+      EXPECT_EQ(capture.notes.empty(), !applies || tag == 1) << tag;
+      EXPECT_EQ(PictureRows(folder / "t.tif", false).streams(), !tiled);
+      std::vector<float> samples = samples_of(asked);  // in bands of one row
+      samples.resize(6);
+      EXPECT_EQ(samples, wanted) << tag;
+      const ImageReal picture = read_picture(folder / "t.tif");
+      EXPECT_EQ(std::vector<float>(picture.samples.begin(), picture.samples.end()), wanted);
+      // The last row of the upright picture alone.
+      const int width = capture.region.width, height = capture.region.height;
+      asked.region = Region{1, height - 1, width - 1, 1};
+      samples = samples_of(asked);
+      samples.resize(static_cast<std::size_t>(width) - 1);
+      EXPECT_EQ(samples, std::vector<float>(wanted.end() - width + 1, wanted.end())) << tag;
+      asked.region.reset();
+      asked.as_stored = true;
+      samples = samples_of(asked);
+      samples.resize(6);
+      EXPECT_EQ(samples, upright[0]);
+      EXPECT_TRUE(open_capture(asked).notes.empty());
+    }
+  }
+}
+
+TEST(Capture, TurnsALargePhotographStripByStrip) {
+  const ScratchFolder folder;
+  OIIO::ImageSpec spec(90, 300, 3, OIIO::TypeDesc::UINT8);
+  std::vector<std::uint8_t> samples(90 * 300 * 3);
+  for (std::size_t n = 0; n < samples.size(); ++n) {
+    samples[n] = static_cast<std::uint8_t>(n * n / 11 % 253);
+  }
+  for (const int tag : {1, 3, 6, 7, 8}) {
+    spec.attribute("Orientation", tag);
+    const auto output = OIIO::ImageOutput::create("p.jpg");
+    ASSERT_TRUE(output->open((folder / "p.jpg").string(), spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, samples.data()) && output->close());
+    PictureRows rows(folder / "p.jpg", false);
+    EXPECT_EQ(rows.orientation(), tag);
+    EXPECT_TRUE(rows.streams());
+    EXPECT_EQ(rows.decodes_once(), tag == 1);
+    const ImageReal whole = read_picture(folder / "p.jpg");
+    ASSERT_EQ(whole.width, tag >= 5 ? 300 : 90);
+    const std::vector<float> read = samples_of(request(folder.write("c.lp", "p.jpg 0 0 1\n")));
+    for (std::size_t n = 0; n < whole.samples.size(); ++n) {
+      ASSERT_EQ(read[n % 3 * (90 * 300) + n / 3], whole.samples[n]) << tag << " at " << n;
+    }
+  }
+}
+
+TEST(Capture, SaysWhenTagsOfOneCameraDiffer) {
+  const ScratchFolder folder;
+  write_turned(folder / "a.tif", 1, false);
+  write_turned(folder / "b.tif", 3, false);
+  write_turned(folder / "c.tif", 6, false);
+  const Capture half =
+      open_capture(request(folder.write("h.lp", "a.tif 0 0 1\nb.tif 0.6 0 0.8\n")));
+  ASSERT_EQ(half.notes.size(), 1U);
+  EXPECT_NE(half.notes[0].find("1 with 1, 1 with 3; of a camera that stood still"),
+            std::string::npos)
+      << half.notes[0];
+  CaptureRequest quarter = request(folder.write("q.lp", "a.tif 0 0 1\nc.tif 0.6 0 0.8\n"));
+  EXPECT_NE(error_of(quarter).find("line 2: found c.tif of 2 x 3 pixels, expected 3 x 2 like the "
+                                   "first photograph, whose tag Orientation differs"),
+            std::string::npos)
+      << error_of(quarter);
+  quarter.as_stored = true;
+  EXPECT_EQ(error_of(quarter), "no error");
+}
+
 TEST(Capture, NamesTheLineOfAPhotographOfAnotherSize) {
   const ScratchFolder folder;
   folder.picture("a.png", 4, 3);

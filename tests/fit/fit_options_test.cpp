@@ -92,6 +92,67 @@ TEST_F(FitOptions, LeavesOutMissingPhotographsIfAskedTo) {
             "1 of 20 lights are left out, as their photographs are missing: " + gone);
 }
 
+TEST_F(FitOptions, NamesThePhotographThatContradictsTheOthers) {
+  const json good = fit(capture() + " --hold-out 5");
+  EXPECT_TRUE(good.at("notes").empty()) << good.at("notes");
+  const auto overexpose = [&](const std::string& name) {
+    golden::Image8 picture(48, 48, 3);
+    const golden::ImageReal dark = golden::read_picture(file("c/" + name));
+    for (std::size_t n = 0; n < picture.samples.size(); ++n) {
+      picture.samples[n] = static_cast<std::uint8_t>(std::min(255.0, 60 + 3 * dark.samples[n]));
+    }
+    golden::write_picture(file("c/" + name), picture);
+  };
+  const std::string fitted = good.at("lights").at(6).at("picture");
+  const std::string held = good.at("held_out").at("lights").at(2).at("picture");
+  overexpose(fitted);
+  overexpose(held);
+  for (const char* more : {"", " --robust 3", " --format rgb", " --format lum"}) {
+    const json out = fit(capture() + " --hold-out 5" + more);
+    for (const json& light : out.at("lights")) {
+      EXPECT_EQ(light.at("contradicts"), light.at("picture") == fitted) << more << light;
+    }
+    for (const json& light : out.at("held_out").at("lights")) {
+      EXPECT_EQ(light.at("contradicts"), light.at("picture") == held) << more << light;
+    }
+    const std::string notes = out.at("notes").dump();
+    EXPECT_NE(notes.find("1 of 16 photographs contradict the others"), std::string::npos) << notes;
+    EXPECT_NE(notes.find("1 held-out of 4 photographs"), std::string::npos) << notes;
+    EXPECT_NE(notes.find(fitted), std::string::npos) << notes;
+    EXPECT_NE(notes.find(held), std::string::npos) << notes;
+  }
+}
+
+TEST_F(FitOptions, NamesTwoPhotographsThatAreExchanged) {
+  const json good = fit(capture());
+  const std::string a = good.at("lights").at(8).at("picture"),
+                    b = good.at("lights").at(9).at("picture");
+  std::filesystem::rename(file("c/" + a), file("c/x.png"));
+  std::filesystem::rename(file("c/" + b), file("c/" + a));
+  std::filesystem::rename(file("c/x.png"), file("c/" + b));
+  const json out = fit(capture());
+  EXPECT_NE(out.at("notes").dump().find("2 of 20 photographs contradict"), std::string::npos)
+      << out.at("notes");
+}
+
+TEST_F(FitOptions, SaysWhichDirectionsTheLightsLeaveToExtrapolation) {
+  EXPECT_LT(fit(capture()).at("extrapolated"), 0.3);
+  // The list without the lights from the left.
+  std::istringstream list(tests::text_of(file("c/capture.lp")));
+  std::string line, right;
+  std::getline(list, line);
+  while (std::getline(list, line)) {
+    double u = 0;
+    std::string name;
+    if (std::istringstream(line) >> name >> u && u > -0.1) right += line + "\n";
+  }
+  const json out = fit(quoted(write("c/right.lp", right)));
+  EXPECT_GT(out.at("extrapolated"), 0.3);
+  const std::string notes = out.at("notes").dump();
+  EXPECT_NE(notes.find("from the left below 90 degrees"), std::string::npos) << notes;
+  EXPECT_EQ(notes.find("from the right below 90"), std::string::npos) << notes;
+}
+
 TEST_F(FitOptions, EveryFormatWritesItsKindOfMapAndRgbFitsBest) {
   std::map<std::string, double> psnr;
   for (const auto& [format, kind] : {std::pair{"lrgb", golden::MapKind::lrgb},
