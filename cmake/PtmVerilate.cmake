@@ -47,9 +47,10 @@ function(ptm_verilate target)
   endforeach()
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/${arg_PREFIX})
   list(TRANSFORM arg_PARAMETERS PREPEND -G)
+  # What reset does not set is 0 unless a seed is given (testbench/rtl/initial_values.h).
   # Without -fno-const-bit-op-tree, Verilator 5.006 drops terms of some exclusive-or trees:
   # tests/rtl/rtl_xor_tree_test.cpp.
-  set(flags --cc -O3 -fno-const-bit-op-tree --x-assign fast --x-initial fast
+  set(flags --cc -O3 -fno-const-bit-op-tree --x-assign unique --x-initial unique
     -Wall -Wno-UNUSEDSIGNAL)  # the pins of the test bench are wider than a variant needs
   if(arg_ASSERT)
     list(APPEND flags --assert)

@@ -61,8 +61,10 @@ module ptm_draw_check #(
     assign passes = effect_i[ptm_unit_pkg::EffectPassesAt +: 3];
     assign sets   = effect_i[ptm_unit_pkg::EffectSetsAt +: 3];
     assign stages = effect_i[ptm_unit_pkg::EffectStagesAt +: 8];
+    // (Yosys 0.23 forgets the ~ in front of a narrowing cast.)
+    localparam logic [7:0] Built = 8'(Stages);
     assign beyond_build = sets > 3'(ExtraSets) || passes > 3'(ExtraPasses) ||
-                          (stages & ~8'(Stages)) != '0;
+                          (stages & ~Built) != '0;
     always_comb begin
       bad_pass = 1'b0;
       pass     = '0;

@@ -210,8 +210,8 @@ module ptm_filter #(
   for (genvar n = 0; n < 4 * Tmus; n++) begin : gen_word
     localparam int At = (n / 4) * ptm_unit_pkg::TapsW;
     ptm_tap_hold #(.Width(32)) u_hold (
-      .clk_i(clk_i), .now_i(taps_i[At+128+n%4]), .hold_i(d_hold), .load_p_i(load_p),
-      .data_i(taps_i[At+32*(n%4) +: 32]), .p_o(p_word[n])
+      .clk_i(clk_i), .rst_ni(rst_ni), .now_i(taps_i[At+128+n%4]), .hold_i(d_hold),
+      .load_p_i(load_p), .data_i(taps_i[At+32*(n%4) +: 32]), .p_o(p_word[n])
     );
   end
   for (genvar w = 0; w < 6; w++) begin : gen_palette
@@ -240,7 +240,7 @@ module ptm_filter #(
         .data_i(lrgb_data), .port_i(lrgb_port[2*k +: 2]), .data_o(lrgb_entry)
       );
       ptm_tap_hold #(.Width(WordW)) u_hold (
-        .clk_i(clk_i), .now_i(rgb_now[k] || lrgb_now[k]), .hold_i(d_hold),
+        .clk_i(clk_i), .rst_ni(rst_ni), .now_i(rgb_now[k] || lrgb_now[k]), .hold_i(d_hold),
         .load_p_i(load_p && (d_rgb || d_lrgb)), .data_i(w >= 2 || d_rgb ? rgb_entry : lrgb_entry),
         .p_o(p_entry[4*w+k])
       );
@@ -291,13 +291,13 @@ module ptm_filter #(
   end
 
   // U8 to U10, L2 to O
-  logic            leave_l3;
+  logic            leave_l3, l3_color;
   logic [6*12-1:0] l3_bias;
   assign leave_l3 = l3_valid && (!l3_step_q.last || o_ready);
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_l3_draw (
-    .draws_i(draws_i), .draw_i(l3_step_q.draw), .bias_o(l3_bias),
-    .format_o(), .bilinear_o(), .color_o(), .palette_o(), .shift_o(), .combine_o(), .ka_o(),
+    .draws_i(draws_i), .draw_i(l3_step_q.draw), .bias_o(l3_bias), .color_o(l3_color),
+    .format_o(), .bilinear_o(), .palette_o(), .shift_o(), .combine_o(), .ka_o(),
     .kd_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
@@ -309,9 +309,10 @@ module ptm_filter #(
     .clk_i(clk_i), .load_l3_i(load_l3), .l2_i(l2), .l2_format_i(l2_step_q.format),
     .l2_group_i(l2_step_q.group), .l2_second_i(l2_step_q.second), .l2_map_f_i(l2_step_q.map_f),
     .l2_color_f_i(l2_step_q.color_f), .leave_l3_i(leave_l3), .l3_format_i(l3_step_q.format),
-    .l3_first_probe_i(l3_step_q.first_probe), .l3_probes_log2_i(l3_step_q.probes_log2),
-    .l3_lit_i(l3_step_q.lit), .l3_bias_i(l3_bias), .load_o_i(load_o), .pass_i(pass_q),
-    .coef_o(own_coef), .rgb_o(rgb_o), .map_alpha_o(map_alpha_o), .color_o(color_o)
+    .l3_color_i(l3_color), .l3_first_probe_i(l3_step_q.first_probe),
+    .l3_probes_log2_i(l3_step_q.probes_log2), .l3_lit_i(l3_step_q.lit), .l3_bias_i(l3_bias),
+    .load_o_i(load_o), .pass_i(pass_q), .coef_o(own_coef), .rgb_o(rgb_o),
+    .map_alpha_o(map_alpha_o), .color_o(color_o)
   );
 
   // O: one pass a cycle, or with three lanes all of the map's own

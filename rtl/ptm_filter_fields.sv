@@ -31,6 +31,7 @@ module ptm_filter_fields #(
   // The beat in L3
   input  logic                    leave_l3_i,
   input  logic [2:0]              l3_format_i,
+  input  logic                    l3_color_i,    // the draw has a colour texture
   input  logic                    l3_first_probe_i,
   input  logic [2:0]              l3_probes_log2_i,
   input  logic                    l3_lit_i,
@@ -130,7 +131,7 @@ module ptm_filter_fields #(
         assign replace     = !l3_lrgb;
         assign replacement = ValueW'(255) << FilterFrac;
       end else begin : gen_rgb
-        assign replace     = l3_none;
+        assign replace     = l3_none || l3_rgb;
         assign replacement = '0;
       end
     end else begin : gen_texture
@@ -145,7 +146,7 @@ module ptm_filter_fields #(
           endcase
         end
       end
-      assign replace     = 1'b0;
+      assign replace     = !l3_color_i;
       assign replacement = '0;
     end
     ptm_filter_field #(.Width(ValueW), .RoundNearest(RoundNearest)) u_field (

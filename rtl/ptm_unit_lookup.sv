@@ -61,13 +61,14 @@ module ptm_unit_lookup #(
 
   // The hash is a sum of a part for the level and the texture, one for the column and one for the
   // row. Modulo 2^SetBits, of which Sets is a factor.
-  logic [SetBits-1:0]  hash_level;
+  logic [SetBits-1:0]  hash_level, hash_even, hash_odd;
   logic [LineBits-1:0] column_line0, column_line1, row_line0, row_line1;
   assign column_line0 = LineBits'(column_lines_i.column[0]);
   assign column_line1 = LineBits'(column_lines_i.column[1]);
   assign row_line0    = row_lines_i.row[0];
   assign row_line1    = row_lines_i.row[1];
   always_comb begin
+    {hash_even, hash_odd}                                      = '0;
     {hash_level, used_o, hash_x_o, hash_y_o, low_x_o, low_y_o} = '0;
     {column_o, row_o}                                          = '0;
     taken_o                                                    = '0;
@@ -81,7 +82,10 @@ module ptm_unit_lookup #(
       low_y_o    = {SetBits'((y_odd & 9'((1 << Ky) - 1)) << Kx),
                     SetBits'((y_even & 9'((1 << Ky) - 1)) << Kx)};
       hash_x_o   = {SetBits'(x_odd >> Kx), SetBits'(x_even >> Kx)};
-      hash_y_o   = {SetBits'(y_odd >> Ky) + hash_level, SetBits'(y_even >> Ky) + hash_level};
+      // (Not in one concatenation: Yosys 0.23 gives a sum with a narrowing cast its old width.)
+      hash_even  = SetBits'(y_even >> Ky) + hash_level;
+      hash_odd   = SetBits'(y_odd >> Ky) + hash_level;
+      hash_y_o   = {hash_odd, hash_even};
       column_o   = {column0[1] ? column_line0 : column_line1,
                     column0[0] ? column_line0 : column_line1};
       row_o      = {row0[1] ? row_line0 : row_line1, row0[0] ? row_line0 : row_line1};

@@ -2,6 +2,7 @@
 // The Verilated class behind RtlEvaluator; included by one generated file a variant.
 #include <verilated.h>
 
+#include "testbench/rtl/initial_values.h"
 #include "testbench/rtl/probe.h"
 #include "testbench/rtl/verilated_evaluator.h"
 
@@ -233,7 +234,7 @@ class VerilatedEvaluator final : public RtlEvaluator {
 
   std::string name_;
   VerilatedContext context_;
-  Dut dut_{&context_};
+  Dut dut_{with_initial_values(context_)};
   /// The pins where Verilator keeps them; the class itself reaches each through a reference. A
   /// function that writes many copies this reference: a pin that is a byte could alias it.
   Pins& pins_ = *dut_.rootp;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "testbench/rtl/initial_values.h"
 #include "testbench/rtl/pending_lines.h"
 #include "testbench/rtl/unit_probe.h"
 #include "testbench/rtl/verilated_unit.h"
@@ -294,7 +295,7 @@ class VerilatedUnit final : public RtlUnit {
   pipeline::StreamTiming request_stall_;
   bool broken_ = false;
   VerilatedContext context_;
-  Dut dut_{&context_};
+  Dut dut_{with_initial_values(context_)};
   /// The pins where Verilator keeps them; the class itself reaches each through a reference.
   decltype(*Dut::rootp)& pins_ = *dut_.rootp;
 };

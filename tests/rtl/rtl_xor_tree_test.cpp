@@ -1,5 +1,5 @@
-// That designs are verilated with an optimiser that computes exclusive-or trees rightly: the options
-// are those of cmake/PtmVerilate.cmake, which every build of the RTL takes.
+// That designs are verilated with an optimiser that computes exclusive-or trees rightly: the
+// options are those of cmake/PtmVerilate.cmake, which every build of the RTL takes.
 #include <gtest/gtest.h>
 #include <verilated.h>
 
