@@ -12,7 +12,6 @@
 #include "golden/files/open_picture.h"
 #include "golden/files/orientation.h"
 #include "golden/files/pending_file.h"
-#include "golden/files/whole_file.h"
 
 namespace ptm::golden {
 namespace {
