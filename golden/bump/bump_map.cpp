@@ -5,14 +5,15 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "golden/geometry/direction.h"
 #include "golden/render/light_map.h"
 
 namespace ptm::golden {
 namespace {
 
-std::array<double, 3> unit(double u, double v, double w) {
-  const double length = std::sqrt(u * u + v * v + w * w);
-  return {u / length, v / length, w / length};
+std::array<double, 3> unit_normal(double u, double v, double w) {
+  const Eigen::Vector3d normal = unit({u, v, w});
+  return {normal[0], normal[1], normal[2]};
 }
 
 void check(const ImageReal& picture, double strength) {
@@ -61,7 +62,7 @@ NormalField normals_from_heights(const ImageReal& picture, double strength) {
           columns.apart();
       const double down =
           (height_at(picture, x, rows.after) - height_at(picture, x, rows.before)) / rows.apart();
-      field.normals.push_back(unit(-strength * across, strength * down, 1));
+      field.normals.push_back(unit_normal(-strength * across, strength * down, 1));
     }
   }
   return field;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "golden/files/input_error.h"
+#include "golden/geometry/direction.h"
 
 namespace ptm::golden {
 namespace {
@@ -18,17 +19,19 @@ constexpr double kUnitLength = 1e-3;
 bool LightDirections::take(std::array<double, 3>& d, const std::string& file,
                            const std::string& place, std::vector<std::string>& notes) {
   ++lights_;
-  const double length = std::hypot(d[0], d[1], d[2]);
-  if (length == 0) throw InputError(file, place, "light (0, 0, 0)", "a direction");
-  if (!std::isfinite(length)) {
-    throw InputError(file, place, "a light of endless length", "a direction of length 1");
+  const Eigen::Vector3d vector(d[0], d[1], d[2]);
+  if (vector.isZero(0)) throw InputError(file, place, "light (0, 0, 0)", "a direction");
+  if (!vector.allFinite()) {
+    throw InputError(file, place, "a light that is no vector of numbers", "a direction of length 1");
   }
-  if (std::abs(length - 1) > kUnitLength) {
+  const double size = length(vector);
+  if (std::abs(size - 1) > kUnitLength) {
     ++off_unit_;
-    shortest_ = std::min(shortest_, length);
-    longest_ = std::max(longest_, length);
+    shortest_ = std::min(shortest_, size);
+    longest_ = std::max(longest_, size);
   }
-  for (double& c : d) c /= length;
+  const Eigen::Vector3d direction = unit(vector);
+  std::copy(direction.begin(), direction.end(), d.begin());
   if (d[2] < 0) notes.push_back(place + ": light below the horizon, left out");
   return d[2] >= 0;
 }

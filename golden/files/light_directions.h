@@ -11,7 +11,8 @@ namespace ptm::golden {
 class LightDirections {
  public:
   /// False if the light stands below the horizon (z < 0); the note says so and it is to be left
-  /// out. Throws InputError (`file`, `place`) for (0, 0, 0) and for a length beyond any number.
+  /// out. Throws InputError (`file`, `place`) for (0, 0, 0) and for parts that are no numbers;
+  /// every other vector, however short or long, has a direction.
   [[nodiscard]] bool take(std::array<double, 3>& direction, const std::string& file,
                           const std::string& place, std::vector<std::string>& notes);
   /// One note for all lights that were not of unit length.

@@ -2,14 +2,16 @@
 
 #include <cmath>
 
+#include "golden/geometry/direction.h"
+
 namespace ptm::golden {
 
 Camera::Camera(const CameraSpec& spec, const std::array<int, 2>& size)
     : position_(spec.position), size_(size), orthographic_(spec.orthographic) {
-  ahead_ = (spec.target - spec.position).normalized();
+  ahead_ = unit(spec.target - spec.position);
   const double half = spec.fov_degrees * std::numbers::pi / 360;
   const double height = spec.orthographic ? spec.height : 2 * std::tan(half);
-  right_ = ahead_.cross(spec.up).normalized() * (height / size[1]);
+  right_ = unit(ahead_.cross(spec.up)) * (height / size[1]);
   down_ = ahead_.cross(right_);
 }
 
@@ -22,7 +24,7 @@ PixelRay Camera::ray(int x, int y) const {
 
 Vec3 Camera::toward(const Vec3& point) const {
   if (orthographic_) return -ahead_;
-  return (position_ - point).normalized();
+  return unit(position_ - point);
 }
 
 }  // namespace ptm::golden

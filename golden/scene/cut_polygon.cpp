@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/geometry/direction.h"
+
 namespace ptm::golden {
 namespace {
 
@@ -18,7 +20,12 @@ Vec3 newell_normal(const std::vector<Vec3>& corners) {
 }
 
 /// The corners without the coordinate in which the normal is longest, anticlockwise.
-std::vector<Point> flattened(const std::vector<Vec3>& corners) {
+std::vector<Point> flattened(std::vector<Vec3> corners) {
+  // Areas are products of lengths: of a face brought to a size near 1 they stay numbers.
+  Eigen::AlignedBox3d box;
+  for (const Vec3& corner : corners) box.extend(corner);
+  const int size = binary_size(box.diagonal());
+  for (Vec3& corner : corners) corner = times_power(corner - box.min(), -size);
   const Vec3 normal = newell_normal(corners);
   Eigen::Index dropped = 0;
   normal.cwiseAbs().maxCoeff(&dropped);

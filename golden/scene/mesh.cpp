@@ -1,7 +1,10 @@
 #include "golden/scene/mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "golden/geometry/direction.h"
 #include "golden/scene/two_stage.h"
 
 namespace ptm::golden {
@@ -11,14 +14,14 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Positive multiples of dP/du and dP/dv from the gradients of u and v in the plane of `normal`.
 void set_directions(const Vec3& normal, const Vec3& edge, SurfacePoint& point) {
-  const double area = normal.dot(point.gradient_u.cross(point.gradient_v));
-  const double scale = point.gradient_u.norm() * point.gradient_v.norm();
-  if (std::abs(area) > 1e-12 * scale) {
-    point.along_u = std::copysign(1.0, area) * point.gradient_v.cross(normal);
-    point.along_v = std::copysign(1.0, area) * normal.cross(point.gradient_u);
+  const Vec3 u = brought_near_one(point.gradient_u), v = brought_near_one(point.gradient_v);
+  const double area = normal.dot(u.cross(v));
+  if (std::abs(area) > 1e-12 * u.norm() * v.norm()) {
+    point.along_u = std::copysign(1.0, area) * v.cross(normal);
+    point.along_v = std::copysign(1.0, area) * normal.cross(u);
     return;
   }
-  point.along_u = point.gradient_u.norm() > 0 ? point.gradient_u : edge;
+  point.along_u = u.isZero(0) ? edge : u;
   point.along_v = point.along_u.cross(normal);
 }
 
@@ -53,16 +56,22 @@ Mesh::Mesh(const ObjectSpec& spec)
       tree_(corners_of(mesh_)),
       intermediate_(spec.shape),
       mapping_(spec.mapping) {
+  const auto triangles = corners_of(mesh_);
   Eigen::AlignedBox3d box;
-  double area = 0;
-  for (const auto& c : corners_of(mesh_)) {
-    const double twice = (c[1] - c[0]).cross(c[2] - c[0]).norm();
-    centroid_ += twice * (c[0] + c[1] + c[2]) / 3;
-    area += twice;
+  for (const auto& c : triangles) {
     for (const Vec3& corner : c) box.extend(corner);
   }
+  size_ = length(box.diagonal());
+  // Areas in parts of the mesh' size, whose squares may leave the doubles.
+  const int size = binary_size(box.diagonal());
+  double area = 0;
+  for (const auto& c : triangles) {
+    const Vec3 e1 = times_power(c[1] - c[0], -size), e2 = times_power(c[2] - c[0], -size);
+    const double twice = std::max(e1.cross(e2).norm(), std::numeric_limits<double>::min());
+    centroid_ += twice * (c[0] + c[1] + c[2]) / 3;
+    area += twice;
+  }
   centroid_ /= area;
-  size_ = box.diagonal().norm();
 }
 
 Mesh::Edges Mesh::edges_of(const ObjTriangle& triangle) const {
@@ -70,10 +79,12 @@ Mesh::Edges Mesh::edges_of(const ObjTriangle& triangle) const {
   e.origin = mesh_.positions[index(triangle.corners[0].position)];
   e.e1 = mesh_.positions[index(triangle.corners[1].position)] - e.origin;
   e.e2 = mesh_.positions[index(triangle.corners[2].position)] - e.origin;
-  const Vec3 across = e.e1.cross(e.e2);
-  e.normal = across.normalized();
-  e.dual1 = e.e2.cross(across) / across.squaredNorm();
-  e.dual2 = across.cross(e.e1) / across.squaredNorm();
+  const int size1 = binary_size(e.e1), size2 = binary_size(e.e2);
+  const Vec3 e1 = times_power(e.e1, -size1), e2 = times_power(e.e2, -size2);
+  const Vec3 normal = e1.cross(e2);
+  e.normal = normal.normalized();
+  e.dual1 = times_power(e2.cross(normal) / normal.squaredNorm(), -size1);
+  e.dual2 = times_power(normal.cross(e1) / normal.squaredNorm(), -size2);
   return e;
 }
 
@@ -81,10 +92,10 @@ Vec3 Mesh::normal_of(const ObjTriangle& t, const Edges& e, double b1, double b2)
   for (const ObjCorner& c : t.corners) {
     if (c.normal < 0) return e.normal;
   }
-  const auto unit = [&](std::size_t k) {
-    return mesh_.normals[index(t.corners[k].normal)].normalized();
+  const auto corner = [&](std::size_t k) {
+    return unit(mesh_.normals[index(t.corners[k].normal)]);
   };
-  const Vec3 mixed = (1 - b1 - b2) * unit(0) + b1 * unit(1) + b2 * unit(2);
+  const Vec3 mixed = (1 - b1 - b2) * corner(0) + b1 * corner(1) + b2 * corner(2);
   return mixed.norm() > 1e-9 ? Vec3(mixed.normalized()) : e.normal;
 }
 
@@ -113,7 +124,7 @@ void Mesh::two_stage(const ObjTriangle& t, const Edges& e, SurfacePoint& point) 
   point.u = here[0];
   point.v = here[1];
   const double step = kStep * size_;
-  const Vec3 first = e.e1.normalized(), second = e.normal.cross(first);
+  const Vec3 first = unit(e.e1), second = e.normal.cross(first);
   for (const Vec3& direction : {first, second}) {
     const auto ahead = coordinates(point.position + step * direction);
     const auto behind = coordinates(point.position - step * direction);

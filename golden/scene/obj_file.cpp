@@ -6,6 +6,7 @@
 
 #include "golden/files/number_text.h"
 #include "golden/files/text_lines.h"
+#include "golden/geometry/direction.h"
 #include "golden/scene/cut_polygon.h"
 
 namespace ptm::golden {
@@ -134,7 +135,8 @@ class ObjReader {
     const auto at = [&](std::size_t k) {
       return mesh_.positions[static_cast<std::size_t>(triangle.corners[k].position)];
     };
-    return (at(1) - at(0)).cross(at(2) - at(0)).norm() > 0;
+    const Vec3 e1 = at(1) - at(0), e2 = at(2) - at(0);
+    return length(e1) >= kShortestEdge && length(e2) >= kShortestEdge && span_a_plane(e1, e2, 0);
   }
 
   void take_face(const std::vector<std::string_view>& fields) {
@@ -166,6 +168,8 @@ class ObjReader {
   static constexpr std::array<std::string_view, 16> kPassed{
       "o",  "g",        "s",        "usemtl", "mtllib",     "l",         "p",      "bevel",
       "mg", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "maplib", "usemap"};
+  /// What is inversely as long must be a number, whatever a scene multiplies it with.
+  static constexpr double kShortestEdge = 1e-200;
   static constexpr std::uintmax_t kLargestObj = std::uintmax_t{1} << 30;
   std::filesystem::path path_;
   int line_ = 0, first_no_polygon_ = 0;

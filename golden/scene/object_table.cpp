@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "golden/geometry/direction.h"
 #include "golden/scene/scene_parts.h"
 
 namespace ptm::golden {
@@ -9,6 +11,9 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 constexpr double kDegree = std::numbers::pi / 180;
+/// The gradient of a coordinate along an axis is its inverse; times the scales and offsets that a
+/// scene can give it stays a number.
+constexpr double kShortestAxis = 1e-200;
 
 constexpr std::array<std::string_view, 5> kPlaneKeys{"origin", "i", "j", "s", "t"};
 constexpr std::array<std::string_view, 9> kCylinderKeys{"origin", "radius", "height", "a", "b",
@@ -34,8 +39,14 @@ void read_factor(const TableReader& table, std::string_view key, double& factor)
 void read_plane(const TableReader& table, Shape& shape) {
   table.read("i", shape.axis_i);
   table.read("j", shape.axis_j);
-  const double area = shape.axis_i.cross(shape.axis_j).norm();
-  if (!(area > 1e-12 * shape.axis_i.norm() * shape.axis_j.norm())) {
+  for (const auto& [key, axis] : {std::pair{"i", &shape.axis_i}, {"j", &shape.axis_j}}) {
+    if (length(*axis) >= kShortestAxis) continue;
+    std::ostringstream expected;
+    expected << "an axis of length " << kShortestAxis << " or more";
+    table.fail(key, axis->isZero(0) ? "(0, 0, 0)" : "an axis too short to divide by",
+               expected.str());
+  }
+  if (!span_a_plane(shape.axis_i, shape.axis_j, 1e-12)) {
     table.fail(table.has("j") ? "j" : "i", "axes on a line", "axes that span a plane");
   }
   read_range(table, "s", shape.p_range, -1e6, 1e6);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/geometry/direction.h"
+
 namespace ptm::golden {
 namespace {
 
@@ -22,14 +24,11 @@ std::array<double, 2> parameters_of(const Shape& shape, const Vec3& point) {
 }
 
 std::optional<ShapeHit> intersect_plane(const Shape& shape, const Ray& ray) {
-  const Vec3 across = shape.axis_i.cross(shape.axis_j);
-  const double slope = across.dot(ray.direction);
+  const Vec3 normal = across(shape.axis_i, shape.axis_j);
+  const double slope = normal.dot(ray.direction);
   if (slope == 0) return std::nullopt;
-  const double t = across.dot(shape.origin - ray.origin) / slope;
-  const Vec3 d = ray.origin + t * ray.direction - shape.origin;
-  const double area = across.squaredNorm();
-  const double s = d.cross(shape.axis_j).dot(across) / area;
-  const double q = shape.axis_i.cross(d).dot(across) / area;
+  const double t = normal.dot(shape.origin - ray.origin) / slope;
+  const auto [s, q] = plane_parameters(shape, ray.origin + t * ray.direction - shape.origin);
   if (!(t > 0) || !inside(s, shape.p_range) || !inside(q, shape.q_range)) return std::nullopt;
   return ShapeHit{t, s, q};
 }
@@ -57,19 +56,38 @@ std::optional<ShapeHit> intersect_round(const Shape& shape, const Ray& ray) {
   return std::nullopt;
 }
 
+/// The gradients of p and q along a plane: the dual of its axes.
+std::array<Vec3, 2> plane_gradients(const Shape& shape) {
+  const int size_i = binary_size(shape.axis_i), size_j = binary_size(shape.axis_j);
+  const Vec3 i = times_power(shape.axis_i, -size_i), j = times_power(shape.axis_j, -size_j);
+  const Vec3 normal = i.cross(j);
+  const double area = normal.squaredNorm();
+  return {times_power(j.cross(normal) / area, -size_i),
+          times_power(normal.cross(i) / area, -size_j)};
+}
+
 SurfacePoint plane_at(const Shape& shape, double p, double q) {
-  const Vec3 across = shape.axis_i.cross(shape.axis_j);
   SurfacePoint point;
   point.position = shape.origin + p * shape.axis_i + q * shape.axis_j;
-  point.normal = across.normalized();
+  point.normal = across(shape.axis_i, shape.axis_j).normalized();
   point.along_u = shape.axis_i;
   point.along_v = shape.axis_j;
-  point.gradient_u = shape.axis_j.cross(across) / across.squaredNorm();
-  point.gradient_v = across.cross(shape.axis_i) / across.squaredNorm();
+  const auto [along_p, along_q] = plane_gradients(shape);
+  point.gradient_u = along_p;
+  point.gradient_v = along_q;
   return point;
 }
 
 }  // namespace
+
+std::array<double, 2> plane_parameters(const Shape& plane, const Vec3& d) {
+  const int size_i = binary_size(plane.axis_i), size_j = binary_size(plane.axis_j);
+  const Vec3 i = times_power(plane.axis_i, -size_i), j = times_power(plane.axis_j, -size_j);
+  const Vec3 normal = i.cross(j);
+  const double area = normal.squaredNorm();
+  return {std::ldexp(d.cross(j).dot(normal) / area, -size_i),
+          std::ldexp(i.cross(d).dot(normal) / area, -size_j)};
+}
 
 double turned_to(double angle, double from) {
   const double turn = 2 * kPi;

@@ -25,7 +25,7 @@ enum class ShapeKind : std::uint8_t { plane, cylinder, sphere };
 struct Shape {
   ShapeKind kind = ShapeKind::plane;
   Vec3 origin{0, 0, 0};                    ///< corner, centre of the base, centre
-  Vec3 axis_i{1, 0, 0}, axis_j{0, -1, 0};  ///< plane only; not collinear
+  Vec3 axis_i{1, 0, 0}, axis_j{0, -1, 0};  ///< plane only; not on a line
   double radius = 1;                       ///< > 0
   double height = 1;                       ///< cylinder only; > 0
   double a = 1, b = 1, p0 = 0, q0 = 0;     ///< p0 is theta0 (radians), q0 is z0 or phi0
@@ -66,6 +66,9 @@ struct ShapeHit {
 };
 /// The nearest hit of the part that the ranges leave, from either side.
 [[nodiscard]] std::optional<ShapeHit> intersect(const Shape& shape, const Ray& ray);
+
+/// p and q of the plane's point nearest to origin + d.
+[[nodiscard]] std::array<double, 2> plane_parameters(const Shape& plane, const Vec3& d);
 
 /// An angle moved by whole turns into [from, from + 2 pi).
 [[nodiscard]] double turned_to(double angle, double from);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "golden/effects/effect.h"
+#include "golden/geometry/direction.h"
 #include "golden/scene/camera.h"
 #include "golden/scene/obj_file.h"
 #include "golden/scene/placed_object.h"
@@ -41,8 +42,9 @@ Frame frame_at(const SurfacePoint& point, double side) {
   // The side seen is the geometry's to say: a file's normals may look either way.
   const Vec3 n = std::copysign(1.0, point.shading.dot(facing)) * point.shading;
   const auto within = [&](const Vec3& direction) { return Vec3(direction - direction.dot(n) * n); };
-  Vec3 tangent = within(point.along_u);
-  if (!(tangent.norm() > 1e-12 * point.along_u.norm())) tangent = n.unitOrthogonal();
+  const Vec3 along = brought_near_one(point.along_u);
+  Vec3 tangent = within(along);
+  if (!(tangent.norm() > 1e-12 * along.norm())) tangent = n.unitOrthogonal();
   tangent.normalize();
   Vec3 up = n.cross(tangent);
   if (up.dot(point.along_v) > 0) up = -up;
@@ -58,8 +60,8 @@ LocalLight local_light(const LightSpec& light, const SurfacePoint& point, double
   if (light.kind == LightKind::local) return {{light.vector.x(), light.vector.y()}, true};
   const Vec3 toward = toward_light(light, point.position);
   // A lamp in the surface itself shines from nowhere.
-  if (!(toward.norm() > 0)) return {{0, 0}, false};
-  const Vec3 l = frame_at(point, side).local(toward.normalized());
+  if (toward.isZero(0)) return {{0, 0}, false};
+  const Vec3 l = frame_at(point, side).local(unit(toward));
   return {{l.x(), l.y()}, l.z() > 0};
 }
 
@@ -76,8 +78,8 @@ std::array<double, 2> local_half(const LightSpec& light, const Camera& camera,
     l.z() = std::sqrt(std::max(0.0, 1 - l.x() * l.x() - l.y() * l.y()));
   } else {
     l = toward_light(light, point.position);
-    if (!(l.norm() > 0)) return {0, 0};
-    l = frame.local(l.normalized());
+    if (l.isZero(0)) return {0, 0};
+    l = frame.local(unit(l));
   }
   const Vec3 sum = l + frame.local(camera.toward(point.position));
   constexpr double shortest = 1e-9;

@@ -5,22 +5,26 @@
 #include <limits>
 #include <numeric>
 
+#include "golden/geometry/direction.h"
+
 namespace ptm::golden {
 namespace {
 
 constexpr std::size_t kLeaf = 4;
 constexpr double kWiden = 1e-12;  ///< of an edge, in barycentric coordinates
 
-/// Möller and Trumbore's test.
+/// Möller and Trumbore's test, with edges brought to a size near 1: their products stay numbers.
 std::optional<TriangleHit> hit(const TriangleTree::Corners& c, const Ray& ray, int index) {
-  const Vec3 e1 = c[1] - c[0], e2 = c[2] - c[0];
+  const Vec3 whole1 = c[1] - c[0], whole2 = c[2] - c[0];
+  const int size1 = binary_size(whole1), size2 = binary_size(whole2);
+  const Vec3 e1 = times_power(whole1, -size1), e2 = times_power(whole2, -size2);
   const Vec3 across = ray.direction.cross(e2);
   const double determinant = e1.dot(across);
   if (determinant == 0) return std::nullopt;
   const Vec3 from = ray.origin - c[0];
-  const double b1 = from.dot(across) / determinant;
+  const double b1 = std::ldexp(from.dot(across) / determinant, -size1);
   const Vec3 other = from.cross(e1);
-  const double b2 = ray.direction.dot(other) / determinant;
+  const double b2 = std::ldexp(ray.direction.dot(other) / determinant, -size2);
   const double t = e2.dot(other) / determinant;
   const bool inside = b1 >= -kWiden && b2 >= -kWiden && b1 + b2 <= 1 + kWiden;
   if (!inside || !(t > 0) || !std::isfinite(t)) return std::nullopt;
@@ -64,7 +68,7 @@ void TriangleTree::split(std::size_t node, std::vector<Vec3>& centres) {
     middle.extend(centres[t]);
   }
   // A flat box must not lose its hits to rounding.
-  const Vec3 margin = Vec3::Constant(1e-9 * box.diagonal().norm());
+  const Vec3 margin = Vec3::Constant(1e-9 * length(box.diagonal()));
   nodes_[node].box = {box.min() - margin, box.max() + margin};
   if (count <= kLeaf) return;
   Eigen::Index axis = 0;

@@ -3,18 +3,21 @@
 #include <cmath>
 #include <limits>
 
+#include "golden/geometry/direction.h"
+
 namespace ptm::golden {
 namespace {
 
 /// Where the line from + t direction meets the whole surface: the largest t >= 0, else the largest
 /// of all.
-std::optional<Vec3> project(const Shape& shape, const Vec3& from, const Vec3& direction) {
+std::optional<Vec3> project(const Shape& shape, const Vec3& from, const Vec3& along) {
+  const Vec3 direction = brought_near_one(along);
   if (shape.kind == ShapeKind::plane) {
-    const Vec3 across = shape.axis_i.cross(shape.axis_j);
-    const double slope = across.dot(direction);
+    const Vec3 normal = across(shape.axis_i, shape.axis_j);
+    const double slope = normal.dot(direction);
     // A line that all but runs along the plane would land anywhere.
-    if (std::abs(slope) <= 1e-9 * across.norm() * direction.norm()) return std::nullopt;
-    return from + across.dot(shape.origin - from) / slope * direction;
+    if (std::abs(slope) <= 1e-9 * normal.norm() * direction.norm()) return std::nullopt;
+    return from + normal.dot(shape.origin - from) / slope * direction;
   }
   Vec3 o = from - shape.origin, d = direction;
   if (shape.kind == ShapeKind::cylinder) o.z() = d.z() = 0;
@@ -28,10 +31,8 @@ std::optional<Vec3> project(const Shape& shape, const Vec3& from, const Vec3& di
 std::array<double, 2> coordinates_of(const Shape& shape, const Vec3& point) {
   const Vec3 d = point - shape.origin;
   if (shape.kind == ShapeKind::plane) {
-    const Vec3 across = shape.axis_i.cross(shape.axis_j);
-    const double area = across.squaredNorm();
-    return coordinates_at(shape, d.cross(shape.axis_j).dot(across) / area,
-                          shape.axis_i.cross(d).dot(across) / area);
+    const auto [p, q] = plane_parameters(shape, d);
+    return coordinates_at(shape, p, q);
   }
   const double radial = std::hypot(d.x(), d.y());
   const double theta =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/geometry/direction.h"
 #include "golden/scene/scene_parts.h"
 
 namespace ptm::golden {
@@ -60,9 +61,10 @@ void read_camera(const TableReader& table, CameraSpec& camera) {
     table.fail("height", "the height of a perspective camera", "fov_degrees");
   }
   const Vec3 view = camera.target - camera.position;
-  if (!(view.norm() > 0)) table.fail("target", "the camera's own position", "another point");
-  if (!(view.cross(camera.up).norm() > 1e-9 * view.norm() * camera.up.norm())) {
-    table.fail("up", "a direction along the view", "one across it");
+  if (view.isZero(0)) table.fail("target", "the camera's own position", "another point");
+  if (!span_a_plane(view, camera.up, 1e-9)) {
+    table.fail("up", camera.up.isZero(0) ? "(0, 0, 0)" : "a direction along the view",
+               "one across it");
   }
 }
 
@@ -89,8 +91,8 @@ LightSpec read_light(const TableReader& table) {
     return light;
   }
   table.read("direction", light.vector);
-  if (!(light.vector.norm() > 0)) table.fail("direction", "(0, 0, 0)", "a direction");
-  light.vector.normalize();
+  if (light.vector.isZero(0)) table.fail("direction", "(0, 0, 0)", "a direction");
+  light.vector = unit(light.vector);
   return light;
 }
 
