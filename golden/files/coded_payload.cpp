@@ -41,14 +41,6 @@ std::vector<std::uint64_t> starts_of(const PtmFileInfo& info, const std::string&
   return starts;
 }
 
-void check_coded_size(const PtmHeader& header, const std::string& file) {
-  if (header.map.texels() > largest_coded_plane) {
-    throw InputError(file, "width and height",
-                     std::to_string(header.map.width) + " x " + std::to_string(header.map.height),
-                     "at most " + std::to_string(largest_coded_plane) + " texels in a coded file");
-  }
-}
-
 struct CodedPlane {
   std::vector<std::uint8_t> stream, side;
 };
@@ -111,6 +103,25 @@ CodedPlane code_plane(Plane& plane, const Reference& reference, const PtmMap& ma
 }
 
 }  // namespace
+
+void check_coded_size(const PtmHeader& header, const std::string& file) {
+  const std::size_t texels = header.map.texels();
+  const std::string size =
+      std::to_string(header.map.width) + " x " + std::to_string(header.map.height);
+  if (texels > largest_coded_plane) {
+    throw InputError(file, "width and height", size,
+                     "at most " + std::to_string(largest_coded_plane) + " texels in a coded file");
+  }
+  (void)starts_of(header.info, file);
+  const std::uint64_t bytes = std::uint64_t{texels} * plane_count(header.map.kind);
+  if (bytes > unsuspicious_planes && bytes / most_planes_per_byte > header.info.file_bytes) {
+    throw InputError(
+        file, "width and height",
+        size + " texels in a file of " + std::to_string(header.info.file_bytes) + " bytes",
+        "at least a byte for " + std::to_string(most_planes_per_byte) +
+            " bytes of planes that take more than " + std::to_string(unsuspicious_planes));
+  }
+}
 
 PtmMap read_coded_payload(PtmHeader& header, std::span<const std::uint8_t> bytes,
                           const std::string& file) {

@@ -8,6 +8,10 @@
 
 namespace ptm::golden {
 
+/// Sees that a coded file's listed sizes end where the file ends, and that its texels are within
+/// the limits of plane_codec.h. Throws InputError.
+void check_coded_size(const PtmHeader& header, const std::string& file);
+
 /// Fills the map of `header` from planes coded as JPEG or JPEG-LS. `bytes` is the whole file. The
 /// sizes that the header lists must end where the file ends. Throws InputError. Odd but harmless
 /// things are added to header.info.notes.

@@ -4,19 +4,49 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "golden/files/open_picture.h"
 
 namespace ptm::golden {
 
+bool is_picture_extension(const std::filesystem::path& path) {
+  // Of a name without an extension the library takes the name itself for a format's.
+  if (!path.has_extension()) return false;
+  const bool known = OIIO::ImageOutput::create(path.string()) != nullptr;
+  if (!known) (void)OIIO::geterror();  // or the next failure would repeat it
+  return known;
+}
+
+void check_picture_name(const std::filesystem::path& path) {
+  if (is_picture_extension(path)) return;
+  const std::string extension = path.extension().string();
+  fail_picture(path, "output",
+               extension.empty() ? "a name without an extension"
+                                 : "the extension " + extension + ", which no picture format has",
+               "a name whose extension chooses the format, as in " +
+                   std::filesystem::path(path).replace_extension(".png").filename().string() +
+                   ": .png, .tif, .bmp, .tga, .jpg or another that OpenImageIO writes");
+}
+
 EncodedPicture::EncodedPicture(std::filesystem::path path, const OIIO::ImageSpec& spec)
-    : path_(std::move(path)), output_(OIIO::ImageOutput::create(path_.string())) {
-  if (!output_) fail_picture(path_, "output", OIIO::geterror(), "an extension of a picture format");
+    : path_(std::move(path)) {
+  check_picture_name(path_);
+  output_ = OIIO::ImageOutput::create(path_.string());
+  // Its writer asks for five halvings, and of a smaller picture leaves a file without pixels.
+  constexpr int least_jpeg2000 = 32;
+  if (output_->format_name() == std::string_view("jpeg2000") &&
+      std::min(spec.width, spec.height) < least_jpeg2000) {
+    fail_picture(path_, "output",
+                 std::to_string(spec.width) + " x " + std::to_string(spec.height) + " in JPEG 2000",
+                 "at least 32 pixels a side, or another format");
+  }
   std::string name = path_.string();
   if (output_->supports("ioproxy")) {
     output_->set_ioproxy(&memory_);

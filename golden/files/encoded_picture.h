@@ -9,6 +9,12 @@
 
 namespace ptm::golden {
 
+/// Whether the name's extension is that of a format in which pictures are written.
+[[nodiscard]] bool is_picture_extension(const std::filesystem::path& path);
+
+/// Throws InputError about the output unless is_picture_extension().
+void check_picture_name(const std::filesystem::path& path);
+
 /// An 8-bit picture that OpenImageIO encodes into memory, rows from the top. Some of its codecs do
 /// not report a write that failed, and libjpeg ends the program then. So no codec writes to a
 /// disk: PendingFile writes the bytes and checks every write.

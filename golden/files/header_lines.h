@@ -14,8 +14,9 @@ namespace ptm::golden {
 /// dropped. The byte after the last line's LF is the payload's first, whatever it is.
 class HeaderLines {
  public:
-  HeaderLines(std::span<const std::uint8_t> bytes, std::string file)
-      : bytes_(bytes), file_(std::move(file)) {}
+  /// `bytes` are the file's first ones, of `file_bytes` in all.
+  HeaderLines(std::span<const std::uint8_t> bytes, std::string file, std::uint64_t file_bytes)
+      : bytes_(bytes), file_(std::move(file)), file_bytes_(file_bytes) {}
 
   /// The words of the next line; `field` names it in errors. Throws InputError where no line end
   /// comes within 4096 bytes or before the end of the file, and for an empty line.
@@ -34,7 +35,7 @@ class HeaderLines {
                          const std::string& expected) const;
 
   [[nodiscard]] std::size_t position() const { return position_; }
-  [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - position_; }
+  [[nodiscard]] std::uint64_t bytes_left() const { return file_bytes_ - position_; }
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] bool saw_crlf() const { return saw_crlf_; }
   /// The whole line read last, for messages.
@@ -45,6 +46,7 @@ class HeaderLines {
  private:
   std::span<const std::uint8_t> bytes_;
   std::string file_;
+  std::uint64_t file_bytes_;
   std::string_view text_;
   std::size_t position_ = 0;
   std::size_t line_start_ = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "golden/files/whole_file.h"
+#include "golden/files/file_kind.h"
 
 namespace ptm::golden {
 namespace {
@@ -16,23 +16,47 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 constexpr std::uint64_t largest_ratio = 1100;
 constexpr std::uint64_t unsuspicious_bytes = std::uint64_t{1} << 28;
 
-void check_spec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
-  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                           " x " + std::to_string(spec.nchannels);
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
-      spec.nchannels > 4) {
-    fail_picture(path, "size", size, "a flat picture of 1 to 4 channels");
-  }
-  if (std::int64_t{spec.width} * spec.height > most_pixels) {
+void check_size(const std::filesystem::path& path, std::int64_t width, std::int64_t height,
+                std::uint64_t bytes_a_pixel) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  // Sides first: their product might not be a number any more.
+  if (width > most_pixels || height > most_pixels || width * height > most_pixels) {
     fail_picture(path, "size", size, "at most " + std::to_string(most_pixels) + " pixels");
   }
   std::error_code error;
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
-  const std::uint64_t bytes = spec.image_bytes(true);
+  const std::uint64_t bytes = static_cast<std::uint64_t>(width * height) * bytes_a_pixel;
   if (!error && bytes > unsuspicious_bytes && bytes / largest_ratio > file_bytes) {
-    fail_picture(path, "size", size + " in " + std::to_string(file_bytes) + " bytes",
+    fail_picture(path, "size",
+                 size + " x " + std::to_string(bytes_a_pixel) + " bytes in " +
+                     std::to_string(file_bytes) + " bytes",
                  "a file that can hold so many samples");
   }
+}
+
+/// The kind of picture by its first bytes; whatever is none, no library is asked to look at.
+FileKind picture_kind(const std::filesystem::path& path) {
+  FileKind kind = read_file_kind(path, kAPicture);
+  if (kind.type != FileType::picture) {
+    fail_picture(path, "file", kind.name, "a picture: " + picture_formats());
+  }
+  if (kind.size) {
+    constexpr std::uint64_t rgba = 4;  // what those decoders take
+    check_size(path, std::max<std::int64_t>(kind.size->first, 0),
+               std::max<std::int64_t>(kind.size->second, 0), rgba);
+  }
+  return kind;
+}
+
+void check_spec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
+      spec.nchannels > 4) {
+    fail_picture(path, "size",
+                 std::to_string(spec.width) + " x " + std::to_string(spec.height) + " x " +
+                     std::to_string(spec.nchannels),
+                 "a flat picture of 1 to 4 channels");
+  }
+  check_size(path, spec.width, spec.height, spec.pixel_bytes(true));
 }
 
 }  // namespace
@@ -45,11 +69,22 @@ void fail_picture(const std::filesystem::path& path, const std::string& place, s
 }
 
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path) {
-  require_plain_file(path, kAPicture);
+  const FileKind kind = picture_kind(path);
   OIIO::ImageSpec config;
   config["oiio:UnassociatedAlpha"] = 1;  // colours as stored: alpha is dropped, not multiplied in
-  auto input = OIIO::ImageInput::open(path.string(), &config);
-  if (!input) fail_picture(path, "file", OIIO::geterror(), kAPicture);
+  if (kind.format.empty()) {
+    auto input = OIIO::ImageInput::open(path.string(), &config);
+    if (!input) fail_picture(path, "file", OIIO::geterror(), kAPicture);
+    check_spec(path, input->spec());
+    return input;
+  }
+  // The format's own reader, whatever the extension: asked by name, the library tries them all.
+  auto input = OIIO::ImageInput::create(kind.format);
+  if (!input) fail_picture(path, "file", kind.name + ", " + OIIO::geterror(), kAPicture);
+  OIIO::ImageSpec spec;
+  if (!input->open(path.string(), spec, config)) {
+    fail_picture(path, "file", input->geterror(), kAPicture);
+  }
   check_spec(path, input->spec());
   return input;
 }

@@ -9,7 +9,9 @@ namespace ptm::golden {
 
 inline constexpr const char* kAPicture = "a picture that OpenImageIO reads";
 
-/// Opens a picture and checks its size before anything is allocated. Alpha is not multiplied in.
+/// Opens a picture. Its first bytes must be those of a format that is read (file_kind.h), and its
+/// size is checked before anything is decoded: at most 2^28 pixels, and no more than the file can
+/// hold. Alpha is not multiplied in.
 /// Throws InputError.
 [[nodiscard]] std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path);
 

@@ -14,6 +14,11 @@ namespace ptm::golden {
 /// hold half a million texels a byte, so its length alone bounds nothing.
 constexpr std::size_t largest_coded_plane = std::size_t{1} << 28;
 
+/// A coded file whose planes together take more bytes than this must have a byte for so many of
+/// them. No photographed map comes near that ratio; a file of kilobytes may claim gigabytes.
+constexpr std::uint64_t unsuspicious_planes = std::uint64_t{1} << 28;
+constexpr std::uint64_t most_planes_per_byte = 1100;
+
 /// A stream inside a file, for decoding and for messages.
 struct PlaneStream {
   std::span<const std::uint8_t> bytes;

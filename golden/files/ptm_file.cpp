@@ -42,6 +42,16 @@ void check_map(const PtmMap& map, const PtmWriteOptions& options) {
   require(options.jpeg_quality >= 1 && options.jpeg_quality <= 100, "a quality outside 1..100");
 }
 
+constexpr const char* kMapFile = "a .ptm file";
+
+void check_payload_size(const PtmHeader& header, const std::string& file) {
+  if (header.info.coding == Coding::raw) {
+    check_raw_size(header, file);
+  } else {
+    check_coded_size(header, file);
+  }
+}
+
 struct FormattedPtm {
   std::vector<std::uint8_t> bytes;
   std::vector<std::string> notes;
@@ -96,8 +106,19 @@ PtmFile parse_ptm(std::span<const std::uint8_t> bytes, const std::string& name) 
   return {std::move(map), std::move(header.info)};
 }
 
+PtmHeader read_ptm_header(const std::filesystem::path& path) {
+  const auto head = read_file_head(path, kMapFile, "PTM_", kMostHeaderBytes);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  PtmHeader header = parse_ptm_header(head, path.string(), error ? head.size() : size);
+  check_payload_size(header, path.string());
+  return header;
+}
+
 PtmFile read_ptm(const std::filesystem::path& path) {
-  return parse_ptm(read_whole_file(path, "PTM_", "a .ptm file"), path.string());
+  // Before the rest is read: a header that promises what the file has not.
+  (void)read_ptm_header(path);
+  return parse_ptm(read_whole_file(path, "PTM_", kMapFile), path.string());
 }
 
 std::vector<std::uint8_t> format_ptm(const PtmMap& map, const PtmWriteOptions& options) {

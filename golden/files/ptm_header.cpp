@@ -141,7 +141,7 @@ void read_lum_matrix(HeaderLines& lines, PtmHeader& header) {
     header.map.lum_matrix = *matrix;
     return;
   }
-  const std::size_t left = lines.bytes_left();
+  const std::uint64_t left = lines.bytes_left();
   if (header.map.texels() > left || header.map.texels() * 8 != left) {
     const std::string expected = "16 numbers, or a payload without a matrix line";
     (void)lines.next("colour matrix", expected);
@@ -251,7 +251,12 @@ std::string format_name(MapKind kind, Coding coding) {
 }
 
 PtmHeader parse_ptm_header(std::span<const std::uint8_t> bytes, const std::string& file) {
-  HeaderLines lines(bytes, file);
+  return parse_ptm_header(bytes, file, bytes.size());
+}
+
+PtmHeader parse_ptm_header(std::span<const std::uint8_t> head, const std::string& file,
+                           std::uint64_t file_bytes) {
+  HeaderLines lines(head, file, file_bytes);
   PtmHeader header;
   read_version(lines, header.info);
   read_format(lines, header);
@@ -260,7 +265,7 @@ PtmHeader parse_ptm_header(std::span<const std::uint8_t> bytes, const std::strin
   if (header.map.kind == MapKind::lum) read_lum_matrix(lines, header);
   if (header.info.coding != Coding::raw) read_planes(lines, header);
   if (lines.saw_crlf()) header.info.notes.emplace_back("header lines end with CR LF");
-  header.info.file_bytes = bytes.size();
+  header.info.file_bytes = file_bytes;
   header.info.header_bytes = lines.position();
   return header;
 }

@@ -53,7 +53,10 @@ void for_each_run(const PtmMap& map, bool interleaved, Copy copy) {
   }
 }
 
-void check_size(const PtmHeader& header, std::size_t found, const std::string& file) {
+}  // namespace
+
+void check_raw_size(const PtmHeader& header, const std::string& file) {
+  const std::uint64_t found = header.info.file_bytes - header.info.header_bytes;
   const std::size_t per_texel = raw_bytes_per_texel(header.map.kind);
   const std::size_t texels = header.map.texels();
   const std::string layout = std::to_string(header.map.width) + " x " +
@@ -74,12 +77,10 @@ void check_size(const PtmHeader& header, std::size_t found, const std::string& f
   }
 }
 
-}  // namespace
-
 PtmMap read_raw_payload(const PtmHeader& header, std::span<const std::uint8_t> bytes,
                         const std::string& file) {
   const auto payload = bytes.subspan(header.info.header_bytes);
-  check_size(header, payload.size(), file);
+  check_raw_size(header, file);
   PtmMap map = header.map;
   map.coef.resize(map.texels() * 6 * map.polynomials());
   map.color.resize(map.texels() * map.color_bytes());

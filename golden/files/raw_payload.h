@@ -12,6 +12,9 @@ namespace ptm::golden {
   return kind == MapKind::lrgb ? 9 : kind == MapKind::rgb ? 18 : 8;
 }
 
+/// Sees that a raw payload ends where the file ends. Throws InputError.
+void check_raw_size(const PtmHeader& header, const std::string& file);
+
 /// Fills the map of `header` from a raw payload. `bytes` is the whole file. The payload must end
 /// where the file ends; nothing is allocated before that is known. Throws InputError.
 [[nodiscard]] PtmMap read_raw_payload(const PtmHeader& header, std::span<const std::uint8_t> bytes,

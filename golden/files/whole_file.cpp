@@ -4,8 +4,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 
+#include "golden/files/file_kind.h"
 #include "golden/files/number_text.h"
 
 namespace ptm::golden {
@@ -32,6 +34,27 @@ OpenFile open_plain_file(const std::filesystem::path& path, const std::string& w
   OpenFile file(std::fopen(path.c_str(), "rb"));
   if (file == nullptr) throw InputError(path.string(), "file", reason(), what);
   return file;
+}
+
+/// As many of the file's first bytes as it has, at most `count`. Fewer because reading failed is an
+/// error.
+std::vector<std::uint8_t> first_bytes(std::FILE* file, const std::filesystem::path& path,
+                                      const std::string& what, std::size_t count) {
+  std::vector<std::uint8_t> bytes(count);
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
+  if (std::ferror(file) != 0) throw InputError(path.string(), "file", reason(), what);
+  return bytes;
+}
+
+void check_magic(std::span<const std::uint8_t> head, const std::filesystem::path& path,
+                 const std::string& what, std::string_view magic) {
+  const std::string_view begin(reinterpret_cast<const char*>(head.data()), head.size());
+  if (begin.starts_with(magic)) return;
+  const FileKind kind = file_kind(head, path);
+  const bool known = kind.type != FileType::unknown || head.empty();
+  throw InputError(path.string(), "byte 0",
+                   known ? kind.name : quoted(begin.substr(0, magic.size())),
+                   what + ", which begins with " + quoted(magic));
 }
 
 /// Appends the rest of the file. A read that fails is an error, not the file's end.
@@ -75,17 +98,20 @@ void require_plain_file(const std::filesystem::path& path, const std::string& wh
   }
 }
 
+std::vector<std::uint8_t> read_file_head(const std::filesystem::path& path, const std::string& what,
+                                         std::string_view magic, std::size_t count,
+                                         std::uintmax_t most_bytes) {
+  const OpenFile file = open_plain_file(path, what, most_bytes);
+  std::vector<std::uint8_t> bytes = first_bytes(file.get(), path, what, count);
+  check_magic(bytes, path, what, magic);
+  return bytes;
+}
+
 std::vector<std::uint8_t> read_whole_file(const std::filesystem::path& path, std::string_view magic,
                                           const std::string& what, std::uintmax_t most_bytes) {
   const OpenFile file = open_plain_file(path, what, most_bytes);
-  std::vector<std::uint8_t> bytes(magic.size());
-  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
-  if (std::ferror(file.get()) != 0) throw InputError(path.string(), "file", reason(), what);
-  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (head != magic) {
-    throw InputError(path.string(), "byte 0", head.empty() ? "an empty file" : quoted(head),
-                     what + ", which begins with " + quoted(magic));
-  }
+  std::vector<std::uint8_t> bytes = first_bytes(file.get(), path, what, kKindBytes);
+  check_magic(bytes, path, what, magic);
   append_rest(file.get(), path, what, most_bytes, bytes);
   return bytes;
 }

@@ -28,7 +28,14 @@ void require_plain_file(const std::filesystem::path& path, const std::string& wh
                                                         const std::string& what,
                                                         std::uintmax_t most_bytes = kLargestFile);
 
-/// The same for a file of text without a mark at its beginning.
+/// The first `count` bytes of a plain file, or all if it has fewer. It must begin with `magic`.
+/// Throws InputError as read_whole_file() does.
+[[nodiscard]] std::vector<std::uint8_t> read_file_head(const std::filesystem::path& path,
+                                                       const std::string& what,
+                                                       std::string_view magic, std::size_t count,
+                                                       std::uintmax_t most_bytes = kLargestFile);
+
+/// As read_whole_file(), for a file of text without a mark at its beginning.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path, const std::string& what,
                                          std::uintmax_t most_bytes = kLargestText);
 

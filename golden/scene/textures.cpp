@@ -4,7 +4,9 @@
 
 #include "golden/bump/normal_map.h"
 #include "golden/files/picture_file.h"
+#include "golden/files/picture_header.h"
 #include "golden/files/ptm_file.h"
+#include "golden/files/ptm_header.h"
 #include "golden/fit/fit_tile.h"
 #include "golden/render/light_map.h"
 #include "golden/scene/generate.h"
@@ -15,10 +17,22 @@ namespace {
 constexpr double kBumpStrength = 16;  ///< height of white in texels, as `ptmsim bump` has it
 constexpr std::size_t kPhotoBudget = std::size_t{256} << 20;
 
-void check_size(const std::filesystem::path& file, int width, int height) {
+void check_size(const TextureSpec& spec, int width, int height) {
   if (width <= kLargestTexture && height <= kLargestTexture) return;
-  throw InputError(file.string(), "size", std::to_string(width) + " x " + std::to_string(height),
-                   "at most 4096 texels a side");
+  std::string advice = "make the picture smaller";
+  if (spec.source == TextureSource::ptm) advice = crop_advice(spec.file, width, height);
+  if (spec.source == TextureSource::capture) {
+    advice = "`ptmsim fit " + spec.file.string() + " --region X,Y,W,H --out PART.ptm` fits a part";
+  }
+  throw InputError(spec.file.string(), "size of texture '" + spec.name + "'",
+                   std::to_string(width) + " x " + std::to_string(height) + " texels",
+                   "at most " + std::to_string(kLargestTexture) + " a side; " + advice);
+}
+
+/// Before anything is decoded.
+void check_picture_size(const TextureSpec& spec) {
+  const PictureHeader header = read_picture_header(spec.file);
+  check_size(spec, header.width, header.height);
 }
 
 /// A channel of a LUM map: matrix row (r, y, b, 1) times (Cr, L, Cb, 1) is y L + a constant.
@@ -34,11 +48,12 @@ void add_lum_texel(const PtmMap& map, std::size_t texel, LoadedTexture& texture)
 }
 
 LoadedTexture load_ptm(const TextureSpec& spec) {
+  const PtmMap header = read_ptm_header(spec.file).map;
+  check_size(spec, header.width, header.height);
   PtmFile file = read_ptm(spec.file);
   LoadedTexture texture;
   texture.notes = std::move(file.info.notes);
   const PtmMap& map = file.map;
-  check_size(spec.file, map.width, map.height);
   texture.width = map.width;
   texture.height = map.height;
   texture.polynomials = map.kind == MapKind::lrgb ? 1 : 3;
@@ -66,7 +81,7 @@ LoadedTexture load_capture(const TextureSpec& spec) {
   texture.notes = capture.notes;
   texture.width = capture.region.width;
   texture.height = capture.region.height;
-  check_size(spec.file, texture.width, texture.height);
+  check_size(spec, texture.width, texture.height);
   texture.polynomials = spec.kind == MapKind::rgb ? 3 : 1;
   const std::size_t stride = static_cast<std::size_t>(texture.polynomials) * 6;
   const std::size_t colors = spec.kind == MapKind::rgb ? 0 : 3;
@@ -92,8 +107,8 @@ LoadedTexture load_capture(const TextureSpec& spec) {
 }
 
 LoadedTexture load_bump(const TextureSpec& spec) {
+  check_picture_size(spec);
   const ImageReal picture = read_picture(spec.file);
-  check_size(spec.file, picture.width, picture.height);
   NormalField field =
       spec.source == TextureSource::bump_heights
           ? normals_from_heights(picture, spec.strength.value_or(kBumpStrength))
@@ -110,8 +125,8 @@ LoadedTexture load_bump(const TextureSpec& spec) {
 }
 
 LoadedTexture load_picture(const TextureSpec& spec) {
+  check_picture_size(spec);
   const ImageReal picture = read_picture_with_alpha(spec.file);
-  check_size(spec.file, picture.width, picture.height);
   LoadedTexture texture;
   texture.polynomials = 0;
   texture.width = picture.width;
@@ -139,6 +154,13 @@ LoadedTexture load(const TextureSpec& spec) {
 }
 
 }  // namespace
+
+std::string crop_advice(const std::filesystem::path& map_file, int width, int height) {
+  return "`ptmsim convert " + map_file.string() + " PART.ptm --crop 0,0," +
+         std::to_string(std::min(width, kLargestTexture)) + "," +
+         std::to_string(std::min(height, kLargestTexture)) +
+         "` cuts a part out (X,Y,W,H from the top left)";
+}
 
 LoadedTextures load_textures(const UnitScene& scene) {
   LoadedTextures textures;

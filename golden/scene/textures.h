@@ -12,6 +12,8 @@
 namespace ptm::golden {
 
 inline constexpr int kLargestTexture = 4096;  ///< texels a side
+/// What to do with a map that is larger, one sentence: the command that cuts a part out.
+[[nodiscard]] std::string crop_advice(const std::filesystem::path& map_file, int width, int height);
 inline constexpr int kMostLrgbEntries = 256;  ///< of an LRGB map's palette; RGB: 4096
 
 /// A texture in real numbers, as its file or rule gives it; level 0 only.
