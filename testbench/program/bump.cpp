@@ -10,15 +10,20 @@
 
 #include "golden/bump/normal_map.h"
 #include "golden/files/picture_file.h"
+#include "golden/files/picture_header.h"
 #include "golden/files/ptm_file.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/expected_file.h"
 #include "testbench/run/hardware_map.h"
 
 namespace ptm::testbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// 8192 x 8192.
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 
 struct BumpOptions {
   std::string input, out;
@@ -35,6 +40,15 @@ const std::map<std::string, golden::BumpDomain> domains{
 golden::NormalField read_field(const BumpOptions& options) {
   if (options.strength && !std::isfinite(*options.strength)) {
     throw ExitError(ExitCode::usage, "--strength: expected a finite number");
+  }
+  expect_map_name(options.out);
+  expect_file(options.input, golden::FileType::picture);
+  const golden::PictureHeader header = golden::read_picture_header(options.input);
+  if (std::int64_t{header.width} * header.height > kMostPixels) {
+    throw golden::InputError(options.input, "size",
+                             std::to_string(header.width) + " x " + std::to_string(header.height),
+                             "at most " + std::to_string(kMostPixels) +
+                                 " pixels, for each of which some 100 bytes are held");
   }
   const golden::ImageReal picture = golden::read_picture(options.input);
   if (options.normals) {

@@ -20,7 +20,11 @@
 #include "testbench/compare/lit_difference.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/expected_file.h"
+#include "testbench/program/option_checks.h"
 #include "testbench/program/progress.h"
+#include "testbench/program/region_option.h"
+#include "testbench/run/crop_map.h"
 #include "testbench/run/map_steps.h"
 
 namespace ptm::testbench {
@@ -32,7 +36,7 @@ struct ConvertOptions {
   std::string input, output;
   std::string format = "raw";
   std::string version = "1.2";
-  std::string kind = "keep", preset, dither = "none";
+  std::string kind = "keep", preset, dither = "none", crop;
   int quality = 95, near = 0, palette = 0;
   std::uint64_t seed = 1;
   bool mip = false;
@@ -220,10 +224,27 @@ void print(const ConvertOptions& options, const Json& report) {
   for (const Json& level : report["levels"]) print_file(level, report["input_bytes"]);
 }
 
+/// The part that was asked for, in place of the whole.
+void crop(const ConvertOptions& options, golden::PtmMap& map, Json& steps) {
+  if (options.crop.empty()) return;
+  const std::string whole = std::to_string(map.width) + " x " + std::to_string(map.height);
+  map = crop_map(map, parse_region("--crop", options.crop), options.input);
+  steps.push_back({{"step", "crop"}, {"how", options.crop + " of " + whole + " texels"}});
+}
+
+void check_names(const ConvertOptions& options) {
+  expect_file(options.input, golden::FileType::map);
+  expect_map_name(options.output);
+}
+
 void convert(const ConvertOptions& options) {
   (void)write_options(options);  // wrong usage is told before any work
-  const golden::PtmFile input = golden::read_ptm(options.input);
+  if (!options.crop.empty()) (void)parse_region("--crop", options.crop);
+  check_names(options);
+  golden::PtmFile input = golden::read_ptm(options.input);
   Json steps = Json::array();
+  crop(options, input.map, steps);
+  const std::size_t unchanging = steps.size();
   const golden::PtmMap map = apply_steps(input.map, options, steps);
   Json report;
   std::deque<golden::PendingFile> files;  // all levels appear, or none
@@ -252,7 +273,7 @@ void convert(const ConvertOptions& options) {
   }
   report["input_bytes"] = input.info.file_bytes;
   report["steps"] = steps;
-  if (!steps.empty()) report["lit"] = describe_difference(input.map, map);
+  if (steps.size() > unchanging) report["lit"] = describe_difference(input.map, map);
   print(options, report);
 }
 
@@ -271,7 +292,11 @@ void add_step_options(CLI::App& command, ConvertOptions& options) {
       ->check(CLI::IsMember({"none", "ordered", "diffused"}));
   command.add_option("--palette", options.palette, "at most so many different polynomials")
       ->check(CLI::Range(2, 65536));
-  command.add_option("--seed", options.seed, "of the palette")->capture_default_str();
+  command.add_option("--seed", options.seed, "of the palette")
+      ->check(whole_number())
+      ->capture_default_str();
+  command.add_option("--crop", options.crop,
+                     "X,Y,W,H: this part only, in texels from the picture's top left");
   command.add_flag("--mip", options.mip, "write OUT.0.ptm, OUT.1.ptm ... down to one texel");
 }
 

@@ -1,16 +1,18 @@
 // ptmsim fit: photographs under known lights become a map that the hardware holds as it stands.
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "golden/files/encoded_picture.h"
 #include "golden/files/pending_file.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/expected_file.h"
 #include "testbench/program/fit_job.h"
 #include "testbench/program/progress.h"
+#include "testbench/program/region_option.h"
 
 namespace ptm::testbench {
 namespace {
@@ -24,21 +26,6 @@ struct FitArguments {
   bool json = false;
 };
 
-/// X,Y,W,H
-golden::Region parse_region(const std::string& text) {
-  std::array<int, 4> numbers{};
-  const char *at = text.data(), *end = at + text.size();
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto [stop, error] = std::from_chars(at, end, numbers[i]);
-    const bool separated = i < 3 ? stop != end && *stop == ',' : stop == end;
-    if (error != std::errc{} || !separated) {
-      throw CLI::ValidationError("--region", "'" + text + "' is not X,Y,W,H in pixels");
-    }
-    at = stop + 1;
-  }
-  return {numbers[0], numbers[1], numbers[2], numbers[3]};
-}
-
 /// HP's recipe has luminance fill its range; what it truncates would miss 255 otherwise.
 golden::FullRange full_range(const FitArguments& arguments) {
   const bool hp = arguments.job.quantizer == "hp";
@@ -51,7 +38,15 @@ golden::FullRange full_range(const FitArguments& arguments) {
                                                    : golden::FullRange::color;
 }
 
+void check_names(const FitJob& job) {
+  // A table of lights may be any text; a file of another kind in its place is named.
+  expect_file(job.capture.source, golden::FileType::light_positions);
+  expect_map_name(job.out);
+  if (!job.residual.empty()) golden::check_picture_name(job.residual);
+}
+
 FitJob make_job(const FitArguments& arguments) {
+  check_names(arguments.job);
   FitJob job = arguments.job;
   using golden::MapKind;
   job.fit.kind = arguments.format == "rgb"   ? MapKind::rgb
@@ -63,7 +58,7 @@ FitJob make_job(const FitArguments& arguments) {
   job.fit.full_range = full_range(arguments);
   job.config = reference::find_preset(arguments.preset).config;
   job.memory = arguments.memory_mib << 20;
-  if (!arguments.region.empty()) job.capture.region = parse_region(arguments.region);
+  if (!arguments.region.empty()) job.capture.region = parse_region("--region", arguments.region);
   if (job.config.coef_bits > 8) {
     throw ExitError(ExitCode::usage, "preset " + arguments.preset + " has coefficients of " +
                                          std::to_string(job.config.coef_bits) +

@@ -4,17 +4,18 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "golden/files/picture_file.h"
+#include "golden/files/picture_header.h"
 #include "golden/files/ptm_file.h"
-#include "golden/files/whole_file.h"
+#include "golden/files/ptm_header.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/expected_file.h"
+#include "testbench/run/crop_map.h"
 #include "testbench/run/hardware_map.h"
 #include "testbench/run/map_bound.h"
 
@@ -68,18 +69,48 @@ Json byte_statistics(const golden::PtmMap& map) {
   return rows;
 }
 
-Json plane_rows(const golden::PtmFile& file) {
-  const std::vector<std::string> names = byte_names(file.map.kind);
+Json plane_rows(golden::MapKind kind, const golden::PtmFileInfo& info) {
+  const std::vector<std::string> names = byte_names(kind);
   Json rows = Json::array();
-  for (std::size_t p = 0; p < file.info.order.size(); ++p) {
+  for (std::size_t p = 0; p < info.order.size(); ++p) {
     rows.push_back({{"name", names[p]},
-                    {"order", file.info.order[p]},
-                    {"reference", file.info.references[p]},
-                    {"transform", file.info.transforms[p]},
-                    {"compressed_bytes", file.info.compressed_bytes[p]},
-                    {"side_bytes", file.info.side_bytes[p]}});
+                    {"order", info.order[p]},
+                    {"reference", info.references[p]},
+                    {"transform", info.transforms[p]},
+                    {"compressed_bytes", info.compressed_bytes[p]},
+                    {"side_bytes", info.side_bytes[p]}});
   }
   return rows;
+}
+
+/// Rows [first, first + rows) of a map as a map.
+golden::PtmMap rows_of(const golden::PtmMap& map, int first, int rows) {
+  return crop_map(map, {0, first, map.width, rows}, "");
+}
+
+/// Of a map that a preset takes verbatim or not: texels whose luminance goes beyond the preset's,
+/// and the largest bound of the error.
+struct PresetFigures {
+  std::uint64_t beyond = 0;
+  double most = 0;
+};
+
+/// Some rows at a time: real coefficients take 48 bytes a polynomial.
+PresetFigures preset_figures(const golden::PtmMap& map, const reference::EvalConfig& config,
+                             bool verbatim) {
+  constexpr int texels_at_once = 1 << 20;
+  PresetFigures figures;
+  const int rows = std::max(1, texels_at_once / map.width);
+  for (int first = 0; first < map.height; first += rows) {
+    const golden::PtmMap part = rows_of(map, first, std::min(rows, map.height - first));
+    if (part.kind == golden::MapKind::lrgb) {
+      figures.beyond += quantizer_input(part, config).balance.exceeding;
+    }
+    if (!verbatim) continue;
+    const auto bounds = texel_error_bounds(part, import_map(part, config).map.value(), config);
+    figures.most = std::max(figures.most, *std::max_element(bounds.begin(), bounds.end()));
+  }
+  return figures;
 }
 
 /// What each preset makes of the map: whether it takes the file's integers as they stand, of an
@@ -89,64 +120,69 @@ Json preset_rows(const golden::PtmMap& map) {
   Json rows = Json::array();
   for (const reference::Preset& preset : reference::kPresets) {
     const quantize::Import import = import_map(map, preset.config);
+    const PresetFigures figures = preset_figures(map, preset.config, import.map.has_value());
     Json row{{"preset", preset.name}, {"verbatim", import.map.has_value()}};
-    if (map.kind == golden::MapKind::lrgb) {
-      row["luminance_beyond"] = quantizer_input(map, preset.config).balance.exceeding;
-    }
+    if (map.kind == golden::MapKind::lrgb) row["luminance_beyond"] = figures.beyond;
     row["levels_off_at_most"] = nullptr;
-    if (import.map) {
-      const auto bounds = texel_error_bounds(map, *import.map, preset.config);
-      const double most = *std::max_element(bounds.begin(), bounds.end());
-      if (std::isfinite(most)) row["levels_off_at_most"] = most;
-    }
+    if (import.map && std::isfinite(figures.most)) row["levels_off_at_most"] = figures.most;
     row["why_not"] = import.why_not;
     rows.push_back(row);
   }
   return rows;
 }
 
-Json describe_map(const std::filesystem::path& path) {
-  const golden::PtmFile file = golden::read_ptm(path);
-  const golden::PtmFileInfo& info = file.info;
+/// What the header says.
+Json describe_header(const std::filesystem::path& path, const golden::PtmMap& map,
+                     const golden::PtmFileInfo& info) {
   const double payload_bits = 8.0 * static_cast<double>(info.file_bytes - info.header_bytes);
   Json out{{"file", path.string()},
            {"version", info.version},
            {"format", info.format},
-           {"width", file.map.width},
-           {"height", file.map.height},
+           {"width", map.width},
+           {"height", map.height},
            {"file_bytes", info.file_bytes},
            {"header_bytes", info.header_bytes},
-           {"payload_bits_per_texel", payload_bits / static_cast<double>(file.map.texels())},
-           {"scale", file.map.scale},
-           {"bias", file.map.bias}};
-  if (file.map.kind == golden::MapKind::lum) out["color_matrix"] = file.map.lum_matrix;
-  out["bytes"] = byte_statistics(file.map);
+           {"payload_bits_per_texel", payload_bits / static_cast<double>(map.texels())},
+           {"scale", map.scale},
+           {"bias", map.bias}};
+  if (map.kind == golden::MapKind::lum) out["color_matrix"] = map.lum_matrix;
   if (info.coding != golden::Coding::raw) {
     out["quality"] = info.quality;
-    out["planes"] = plane_rows(file);
+    out["planes"] = plane_rows(map.kind, info);
   }
-  out["presets"] = preset_rows(file.map);
-  out["notes"] = info.notes;
   return out;
 }
 
-Json describe_picture(const std::filesystem::path& path) {
-  const golden::ImageReal image = golden::read_picture(path);
-  Json rows = Json::array();
-  for (std::size_t c = 0; c < static_cast<std::size_t>(image.channels); ++c) {
-    rows.push_back(statistics(image.channels == 1 ? "grey" : channels[c], image.samples, c,
-                              static_cast<std::size_t>(image.channels)));
+Json describe_map(const std::filesystem::path& path, bool all) {
+  if (!all) {
+    const golden::PtmHeader header = golden::read_ptm_header(path);
+    Json out = describe_header(path, header.map, header.info);
+    out["notes"] = header.info.notes;
+    return out;
   }
-  return {{"file", path.string()},  {"format", "picture"},        {"width", image.width},
-          {"height", image.height}, {"channels", image.channels}, {"levels", rows}};
+  const golden::PtmFile file = golden::read_ptm(path);
+  Json out = describe_header(path, file.map, file.info);
+  out["bytes"] = byte_statistics(file.map);
+  out["presets"] = preset_rows(file.map);
+  out["notes"] = file.info.notes;
+  return out;
 }
 
-bool looks_like_map(const std::filesystem::path& path) {
-  golden::require_plain_file(path, "a .ptm file or a picture");
-  if (path.extension() == ".ptm") return true;
-  std::array<char, 4> head{};
-  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
-  return std::string(head.data(), head.size()) == "PTM_";
+Json describe_picture(const std::filesystem::path& path, bool all) {
+  const golden::PictureHeader header = golden::read_picture_header(path);
+  Json out{{"file", path.string()},    {"format", "picture"},     {"kind", header.kind},
+           {"width", header.width},    {"height", header.height}, {"channels", header.channels},
+           {"samples", header.samples}};
+  if (!all) return out;
+  const std::vector<golden::LevelRange> ranges = golden::read_level_ranges(path);
+  out["levels"] = Json::array();
+  for (std::size_t c = 0; c < ranges.size(); ++c) {
+    out["levels"].push_back({{"name", ranges.size() == 1 ? "grey" : channels[c]},
+                             {"min", ranges[c].least},
+                             {"max", ranges[c].greatest},
+                             {"mean", ranges[c].mean}});
+  }
+  return out;
 }
 
 /// A list of objects as a table: the keys of the first row, then one line a row.
@@ -182,7 +218,7 @@ void print_text(const Json& description) {
 
 struct InfoOptions {
   std::string file;
-  bool json = false;
+  bool json = false, all = false;
 };
 
 }  // namespace
@@ -191,10 +227,14 @@ void add_info_command(CLI::App& app) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "What a .ptm or a picture holds");
   command->add_option("FILE", options->file, "a .ptm, or a picture")->required();
+  command->add_flag("--all", options->all,
+                    "read the data too: ranges of bytes or levels, and of a map what each preset "
+                    "of the hardware makes of it (default: headers only)");
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options] {
-    const Json description = looks_like_map(options->file) ? describe_map(options->file)
-                                                           : describe_picture(options->file);
+    const bool map = expect_map_or_picture(options->file) == golden::FileType::map;
+    const Json description = map ? describe_map(options->file, options->all)
+                                 : describe_picture(options->file, options->all);
     if (options->json) {
       std::cout << description.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     } else {

@@ -8,6 +8,7 @@
 #include "golden/scene/scene.h"
 #include "testbench/plan/effect_rows.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/expected_file.h"
 #include "testbench/run/unit_job.h"
 
 namespace ptm::testbench {
@@ -98,6 +99,7 @@ void print_plan(const ScenePlan& plan) {
 }
 
 void plan(const PlanOptions& options) {
+  expect_file(options.scene, golden::FileType::scene);
   if (!golden::is_unit_scene(options.scene)) {
     throw golden::InputError(options.scene, "the file", "a flat scene",
                              "a scene with [[object]]: only such a one has draws and effects");

@@ -1,18 +1,28 @@
 // ptmsim render: one map under one light, by one model.
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 
+#include "golden/files/encoded_picture.h"
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
+#include "golden/files/ptm_header.h"
 #include "golden/render/light_map.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/expected_file.h"
+#include "testbench/run/light_advice.h"
 #include "testbench/run/picture_models.h"
 #include "testbench/run/timed_models.h"
 
 namespace ptm::testbench {
 namespace {
+
+/// What the widest preset can express: from there on a light is a mistake, not an extrapolation.
+constexpr double kFarthestLight = 2;
 
 struct RenderOptions {
   std::string map, out;
@@ -21,10 +31,29 @@ struct RenderOptions {
   std::string model = "golden", preset = "base", rounding = "nearest";
 };
 
+/// Refuses a light far outside of the unit disc, and says so of one just outside.
+void check_light(const std::vector<double>& light) {
+  const std::string advice = light_advice(light[0], light[1]);
+  if (advice.empty()) return;
+  if (std::max(std::abs(light[0]), std::abs(light[1])) > kFarthestLight) {
+    std::ostringstream found;
+    found << light[0] << "," << light[1];
+    throw golden::InputError("--light", "the light", found.str(),
+                             "U,V within the unit disc. " + advice);
+  }
+  std::cerr << "ptmsim: note: --light lies outside of the unit disc, where the map is "
+               "extrapolated. "
+            << advice << '\n';
+}
+
 FlatJob make_job(const RenderOptions& options) {
   FlatJob job;
   job.name = "--light";
   job.map_file = options.map;
+  if (options.model != "golden") {
+    const golden::PtmMap header = golden::read_ptm_header(options.map).map;
+    check_hardware_size(options.map, header.width, header.height);  // before the rest is read
+  }
   job.map = golden::read_ptm(options.map).map;
   job.width = options.size.empty() ? job.map.width : options.size[0];
   job.height = options.size.empty() ? job.map.height : options.size[1];
@@ -47,6 +76,9 @@ void render(const RenderOptions& options) {
                                "U,V, two finite numbers");
     }
   }
+  golden::check_picture_name(options.out);
+  expect_file(options.map, golden::FileType::map);
+  check_light(options.light);
   const golden::ImageReal picture = draw(make_job(options), options.model);
   const auto rounding =
       options.rounding == "truncate" ? golden::Rounding8::truncate : golden::Rounding8::nearest;

@@ -7,6 +7,7 @@
 #include "golden/scene/scene.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/expected_file.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/report.h"
 #include "testbench/run/measure_effects.h"
@@ -113,6 +114,7 @@ void refuse_disagreement(const SceneRun& run, const RunComparison& comparison) {
 }
 
 void run(const RunOptions& options) {
+  expect_file(options.scene, golden::FileType::scene);
   const SceneRun run = golden::is_unit_scene(options.scene) ? run_unit(options) : run_flat(options);
   const RunComparison comparison = compare_run(run.result);
   const ReportPaths report = write_report(run.result, comparison, options.out);

@@ -13,6 +13,7 @@
 #include "golden/files/whole_file.h"
 #include "golden/scene/relief.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/option_checks.h"
 #include "testbench/program/progress.h"
 #include "testbench/report/staged_files.h"
 
@@ -88,6 +89,7 @@ void add_synthesize_command(CLI::App& app) {
       ->check(CLI::Range(std::size_t{1}, kMostLights))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "another stone, another number")
+      ->check(whole_number())
       ->capture_default_str();
   command->callback([options] { synthesize(*options); });
 }

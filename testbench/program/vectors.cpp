@@ -4,6 +4,7 @@
 
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/option_checks.h"
 #include "testbench/vectors/vector_csv.h"
 
 namespace ptm::testbench {
@@ -37,10 +38,10 @@ void add_vectors_command(CLI::App& app) {
       ->check(CLI::IsMember({"paper8", "base", "wide"}))
       ->capture_default_str();
   command->add_option("--count", request.count, "How many rows")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->capture_default_str();
   command->add_option("--seed", request.seed, "Which operands: the same for every model")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->capture_default_str();
   command->add_option("--model", request.model, "Whose outputs")
       ->check(CLI::IsMember({"reference", "rtl", "pipeline"}))

@@ -1,10 +1,14 @@
 #include "testbench/run/flat_job.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 #include "golden/scene/flat_samples.h"
+#include "golden/scene/textures.h"
 #include "model/reference/light_code.h"
+#include "testbench/run/light_advice.h"
 
 namespace ptm::testbench {
 namespace {
@@ -15,6 +19,12 @@ std::string decimal(double x) {
   return text.str();
 }
 
+std::string advice(const golden::Light& light) {
+  if (!std::isfinite(light.u) || !std::isfinite(light.v)) return {};
+  const std::string text = light_advice(light.u, light.v);
+  return text.empty() ? text : ". " + text;
+}
+
 void check_light(const FlatJob& job, const reference::EvalConfig& config,
                  const golden::Light& light) {
   for (const auto& [name, value] : {std::pair{"lu", light.u}, std::pair{"lv", light.v}}) {
@@ -23,19 +33,23 @@ void check_light(const FlatJob& job, const reference::EvalConfig& config,
                              std::string("|") + name + "| at most " +
                                  decimal(reference::light_limit(config)) +
                                  ", which is what light_int = " + std::to_string(config.light_int) +
-                                 " of the preset can express");
+                                 " of the preset can express" + advice(light));
   }
 }
 
 }  // namespace
 
+void check_hardware_size(const std::filesystem::path& map_file, int width, int height) {
+  constexpr int most = reference::kLargestSide;
+  if (std::max(width, height) <= most) return;
+  throw golden::InputError(map_file.string(), "header (width and height)",
+                           std::to_string(width) + " x " + std::to_string(height) + " texels",
+                           "at most " + std::to_string(most) + " a side in the hardware; " +
+                               golden::crop_advice(map_file, width, height));
+}
+
 void check_hardware_limits(const FlatJob& job, const reference::EvalConfig& config) {
-  if (std::max(job.map.width, job.map.height) > reference::kLargestSide) {
-    throw golden::InputError(
-        job.map_file.string(), "header (width and height)",
-        std::to_string(job.map.width) + " x " + std::to_string(job.map.height),
-        "at most " + std::to_string(reference::kLargestSide) + " texels a side in the hardware");
-  }
+  check_hardware_size(job.map_file, job.map.width, job.map.height);
   for (const golden::Light& light : job.lights) check_light(job, config, light);
 }
 

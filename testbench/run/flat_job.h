@@ -23,6 +23,9 @@ struct FlatJob {
   int tmus = 3;
 };
 
+/// Throws golden::InputError if a map has more texels a side than the unit addresses.
+void check_hardware_size(const std::filesystem::path& map_file, int width, int height);
+
 /// Checks that the unit can draw the map under the job's lights with a configuration; throws
 /// golden::InputError naming the light, or the map's size.
 void check_hardware_limits(const FlatJob& job, const reference::EvalConfig& config);

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "golden/files/ptm_file.h"
+#include "golden/files/ptm_header.h"
+#include "testbench/run/light_advice.h"
 #include "testbench/run/picture_models.h"
 #include "testbench/run/pixel_probe.h"
 #include "testbench/run/timed_models.h"
@@ -30,6 +32,12 @@ FlatJob make_job(const golden::Scene& scene, golden::PtmFile&& file) {
   job.tmus = scene.tmus;
   choose_preset(job, scene.preset, scene.preset_place);
   return job;
+}
+
+/// A light outside of the unit disc is drawn, since polynomials extrapolate, but seldom meant.
+void note_extrapolation(const golden::Light& light, std::vector<std::string>& notes) {
+  const std::string advice = light_advice(light.u, light.v);
+  if (!advice.empty()) notes.push_back(light.place + ": the map is extrapolated. " + advice);
 }
 
 /// The reference's pictures for every preset that can express the scene's lights, for the table of
@@ -74,10 +82,13 @@ std::optional<std::uint64_t> count_late_pixels(const CyclesByModel& cycles) {
 }  // namespace
 
 SceneRun run_scene(const golden::Scene& scene) {
+  const golden::PtmMap header = golden::read_ptm_header(scene.map).map;
+  check_hardware_size(scene.map, header.width, header.height);  // before the rest is read
   golden::PtmFile file = golden::read_ptm(scene.map);
   SceneRun run;
   RunResult& result = run.result;
   result.notes = file.info.notes;
+  for (const golden::Light& light : scene.lights) note_extrapolation(light, result.notes);
   result.map_format = file.info.format;
   const auto job = std::make_shared<const FlatJob>(make_job(scene, std::move(file)));
   result.scene_file = job->name;

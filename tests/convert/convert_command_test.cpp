@@ -109,7 +109,7 @@ TEST_F(ConvertCommand, InfoTellsWhichPresetTakesTheMapVerbatimAndWhyOthersDoNot)
   golden::PtmMap map = smooth_map(MapKind::lrgb, 8, 8);
   map.coef[0] = 0;  // 150 below its bias, within nine bits and not within eight
   golden::write_ptm(folder / "in.ptm", map);
-  const Outcome outcome = run_program(folder / "log", "info --json " + quoted(folder / "in.ptm"));
+  const Outcome outcome = run_program(folder / "log", "info --all --json " + quoted(folder / "in.ptm"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json rows = Json::parse(outcome.out)["presets"];
   ASSERT_EQ(rows.size(), 3U);
@@ -130,7 +130,7 @@ TEST_F(ConvertCommand, InfoBoundsTheErrorOfMapsThatAPresetHoldsAsTheyAre) {
   map.coef[5] = map.coef[11] = 100;
   const auto bounds = [&] {
     golden::write_ptm(folder / "in.ptm", map);
-    const Outcome outcome = run_program(folder / "log", "info --json " + quoted(folder / "in.ptm"));
+    const Outcome outcome = run_program(folder / "log", "info --all --json " + quoted(folder / "in.ptm"));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     std::vector<Json> column;
     const Json rows = Json::parse(outcome.out)["presets"];

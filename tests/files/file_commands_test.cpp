@@ -139,7 +139,7 @@ TEST_F(FileCommands, WrongUsageEndsWithCode2AndWritesNothing) {
 }
 
 TEST_F(FileCommands, InfoTellsInJsonWhatTheFileHolds) {
-  const Outcome outcome = run("info --json " + put("a.ptm", good()));
+  const Outcome outcome = run("info --all --json " + put("a.ptm", good()));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto info = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(info["format"], "PTM_FORMAT_LRGB");
