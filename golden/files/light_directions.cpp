@@ -30,6 +30,7 @@ bool LightDirections::take(std::array<double, 3>& d, const std::string& file,
     shortest_ = std::min(shortest_, size);
     longest_ = std::max(longest_, size);
   }
+  if (size < 0.5 || size > 2) ++far_off_;
   const Eigen::Vector3d direction = unit(vector);
   std::copy(direction.begin(), direction.end(), d.begin());
   if (d[2] < 0) notes.push_back(place + ": light below the horizon, left out");
@@ -40,7 +41,13 @@ void LightDirections::finish(std::vector<std::string>& notes) const {
   if (off_unit_ == 0) return;
   std::ostringstream note;
   note << off_unit_ << " of " << lights_ << " lights were not of length 1 (" << std::setprecision(4)
-       << shortest_ << " to " << longest_ << "), normalised";
+       << shortest_ << " to " << longest_ << "), ";
+  if (far_off_ == lights_) {
+    note << "as positions are; they are taken as directions, as if all light came from afar: "
+            "--width-mm WIDTH fits near lights";
+  } else {
+    note << "normalised";
+  }
   notes.push_back(note.str());
 }
 

@@ -15,11 +15,12 @@ class LightDirections {
   /// every other vector, however short or long, has a direction.
   [[nodiscard]] bool take(std::array<double, 3>& direction, const std::string& file,
                           const std::string& place, std::vector<std::string>& notes);
-  /// One note for all lights that were not of unit length.
+  /// One note for all lights that were not of unit length; if all are shorter than half of it or
+  /// longer than twice, it says that they look like positions.
   void finish(std::vector<std::string>& notes) const;
 
  private:
-  std::size_t lights_ = 0, off_unit_ = 0;
+  std::size_t lights_ = 0, off_unit_ = 0, far_off_ = 0;
   double shortest_ = std::numeric_limits<double>::infinity(), longest_ = 0;
 };
 

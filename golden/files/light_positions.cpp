@@ -178,7 +178,7 @@ class Reader {
   }
 
   void finish() {
-    directions_.finish(result_.notes);
+    if (!source_.positions) directions_.finish(result_.notes);
     if (result_.pictures.empty()) {
       throw InputError(path_.string(), "file",
                        count_ == 0 && beyond_ > 0 ? "a count of 0 lights in the first line"

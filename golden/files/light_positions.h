@@ -25,6 +25,7 @@ struct LightPositions {
 struct PictureSource {
   std::filesystem::path folder;  ///< not empty: this folder's pictures, by order of names
   bool skip_missing = false;     ///< lights whose picture is missing are left out
+  bool positions = false;        ///< the vectors' lengths are meant: no note about them
 };
 
 /// Reads a .lp file: lines of "PICTURE X Y Z", the first line may be their number.

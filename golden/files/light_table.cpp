@@ -91,7 +91,7 @@ std::vector<NumberRow> read_rows(const fs::path& table, std::vector<std::string>
 
 }  // namespace
 
-LightPositions read_light_table(const fs::path& table, const fs::path& folder) {
+LightPositions read_light_table(const fs::path& table, const fs::path& folder, bool positions) {
   LightPositions result;
   const std::vector<NumberRow> rows = read_rows(table, result.notes);
   const std::vector<fs::path> pictures = pictures_of(folder, rows.size(), "the table");
@@ -108,7 +108,7 @@ LightPositions read_light_table(const fs::path& table, const fs::path& folder) {
       result.pictures.push_back(std::move(lit));
     }
   }
-  directions.finish(result.notes);
+  if (!positions) directions.finish(result.notes);
   if (result.pictures.empty()) {
     throw InputError(table.string(), "file", "no light above the horizon",
                      "3 lines of numbers, or lines of 3");

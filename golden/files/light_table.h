@@ -14,9 +14,11 @@ namespace ptm::golden {
 /// there.
 ///
 /// The n-th light belongs to the n-th picture of the folder: pictures_of().
+/// With `positions` the vectors' lengths are meant, and no note is made of them.
 /// Throws InputError: a line that does not fit, a number that is none, another count of pictures.
 [[nodiscard]] LightPositions read_light_table(const std::filesystem::path& table,
-                                              const std::filesystem::path& folder);
+                                              const std::filesystem::path& folder,
+                                              bool positions = false);
 
 /// The same for maps of one parameter, focus or time: one number a line or all in one line; the
 /// first may be the count of the others, if there are as many pictures as those.

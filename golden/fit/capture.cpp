@@ -1,5 +1,7 @@
 #include "golden/fit/capture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <system_error>
 
@@ -15,8 +17,10 @@ std::string size_of(int width, int height) {
 LightPositions read_lights(const CaptureRequest& request) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(request.source, ignored);
+  PictureSource source = request.pictures;
+  source.positions = request.width_mm > 0;
   if (request.lights.empty()) {
-    if (!folder) return read_light_positions(request.source, request.pictures);
+    if (!folder) return read_light_positions(request.source, source);
     throw InputError(request.source.string(), "capture", "a folder without a table of lights",
                      "a .lp file, or --lights TABLE with the folder");
   }
@@ -25,7 +29,7 @@ LightPositions read_lights(const CaptureRequest& request) {
                      "the folder of the pictures that the table of lights lights");
   }
   return request.univariate ? read_parameter_table(request.lights, request.source)
-                            : read_light_table(request.lights, request.source);
+                            : read_light_table(request.lights, request.source, source.positions);
 }
 
 /// Refuses a picture that another light has already, under whatever name: lists whose folders are
@@ -77,6 +81,35 @@ void tell_orientations(Capture& capture) {
   capture.notes.push_back(note);
 }
 
+/// Places the picture among lights whose positions are known.
+void place_picture(const CaptureRequest& request, const std::string& list,
+                   const LightPositions& lights, Capture& capture) {
+  const PictureRows& first = capture.photographs.front();
+  const double pixel = request.width_mm / first.width();
+  capture.frame = PictureFrame{first.width(), first.height(), capture.region, pixel};
+  const double across = request.width_mm / 2, up = pixel * first.height() / 2;
+  bool unit = request.width_mm > 1;
+  for (const LitPicture& lit : lights.pictures) {
+    const auto& p = lit.position;
+    unit = unit && std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-3;
+    const double away = std::hypot(std::max(0.0, std::abs(p[0]) - across),
+                                   std::max(0.0, std::abs(p[1]) - up), p[2]);
+    if (!unit && away < pixel) {
+      throw InputError(list, "line " + std::to_string(lit.line), "a light within the picture",
+                       "positions in the unit of --width-mm, the picture's centre being (0, 0, 0)");
+    }
+  }
+  if (unit) {
+    throw InputError(list, "lights", "unit vectors, which are directions",
+                     "positions in the unit of --width-mm, the picture's centre being (0, 0, 0)");
+  }
+  if (!request.linear) {
+    capture.notes.emplace_back(
+        "near lights' fall-off is taken off the values as they are stored; of photographs in sRGB "
+        "it holds with --linear only");
+  }
+}
+
 }  // namespace
 
 Capture open_capture(const CaptureRequest& request) {
@@ -106,7 +139,9 @@ Capture open_capture(const CaptureRequest& request) {
     capture.photographs.push_back(std::move(photograph));
     capture.names.push_back(lit.picture.filename().string());
     capture.directions.push_back(lit.direction);
+    if (request.width_mm > 0) capture.positions.push_back(lit.position);
   }
+  if (request.width_mm > 0) place_picture(request, list, lights, capture);
   tell_orientations(capture);
   return capture;
 }

@@ -37,8 +37,22 @@ class Renderer {
   /// The channel's levels under a light, clamped; valid until the next call.
   const std::vector<double>& render(const Eigen::Matrix<double, 6, 1>& basis, std::size_t channel) {
     if (polynomials_ == 3 || channel == 0) evaluate(basis, polynomials_ == 3 ? channel : 0);
-    if (kind_ == MapKind::rgb) return levels_ = luminance_, clamp();
-    levels_.resize(texels_);
+    mix(channel);
+    return clamp();
+  }
+
+  /// The same under a near light, as each texel sees it.
+  const std::vector<double>& render(std::span<const NearLights::Seen> seen, std::size_t channel) {
+    if (polynomials_ == 3 || channel == 0) evaluate(seen, polynomials_ == 3 ? channel : 0);
+    mix(channel);
+    for (std::size_t t = 0; t < texels_; ++t) levels_[t] *= seen[t].falloff;
+    return clamp();
+  }
+
+ private:
+  void mix(std::size_t channel) {
+    levels_ = luminance_;
+    if (kind_ == MapKind::rgb) return;
     constexpr auto matrix = jfif_lum_matrix();
     const double* row = matrix.data() + channel * 4;
     for (std::size_t t = 0; t < texels_; ++t) {
@@ -46,10 +60,18 @@ class Renderer {
                                           : row[0] * color_[t * 2] + row[1] * luminance_[t] +
                                                 row[2] * color_[t * 2 + 1] + row[3];
     }
-    return clamp();
   }
 
- private:
+  void evaluate(std::span<const NearLights::Seen> seen, std::size_t polynomial) {
+    const double* plane = planes_.data() + polynomial * 6 * texels_;
+    for (std::size_t t = 0; t < texels_; ++t) {
+      const auto basis = light_basis(seen[t].u, seen[t].v);
+      luminance_[t] = 0;
+      for (std::size_t k = 0; k < 6; ++k) {
+        luminance_[t] += basis[static_cast<Eigen::Index>(k)] * plane[k * texels_ + t];
+      }
+    }
+  }
   void evaluate(const Eigen::Matrix<double, 6, 1>& basis, std::size_t polynomial) {
     std::fill(luminance_.begin(), luminance_.end(), 0.0);
     for (std::size_t k = 0; k < 6; ++k) {
@@ -87,16 +109,19 @@ Residual to_residual(const Squares& squares, double samples_per_channel) {
 
 void add_squares(const PhotoTile& tile, std::span<const std::array<double, 3>> directions,
                  MapKind kind, std::span<const double> coef, std::span<const std::uint8_t> color,
-                 std::span<Squares> squares, std::span<double> texel_squares) {
+                 std::span<Squares> squares, std::span<double> texel_squares, NearTexels near) {
   if (squares.size() != directions.size() ||
       (!texel_squares.empty() && texel_squares.size() != tile.texels)) {
     throw std::invalid_argument("squares of another size than the photographs");
   }
   Renderer renderer(kind, coef, color, tile.texels);
+  std::vector<NearLights::Seen> seen(near.lights == nullptr ? 0 : tile.texels);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const auto basis = light_basis(directions[i][0], directions[i][1]);
+    for (std::size_t t = 0; t < seen.size(); ++t) seen[t] = near.lights->at(i, near.first + t);
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::vector<double>& levels = renderer.render(basis, c);
+      const std::vector<double>& levels =
+          near.lights == nullptr ? renderer.render(basis, c) : renderer.render(seen, c);
       const float* photograph = tile.plane(i, c);
       double sum = 0;
       for (std::size_t t = 0; t < tile.texels; ++t) {
@@ -113,12 +138,45 @@ bool has_leave_one_out(const LightSolver& solver, std::size_t light) {
   return 1 - solver.leverage[static_cast<Eigen::Index>(light)] > kAlone;
 }
 
+namespace {
+
+/// Leave-one-out residuals texel by texel, each with its own lights.
+void add_near_leave_one_out(const PhotoTile& tile, const LightSolver& solver, MapKind kind,
+                            std::span<double> squares, const NearTexels& near) {
+  NearSolver texel(solver, *near.lights);
+  Eigen::VectorXd y(solver.inverse.cols());
+  const auto signals = fitted_signals(kind);
+  for (std::size_t t = 0; t < tile.texels; ++t) {
+    texel.look(near.first + t);
+    const Eigen::ArrayXd away = (1 - texel.leverage().array()).max(kAlone);
+    for (const auto& weights : signals) {
+      for (Eigen::Index i = 0; i < y.size(); ++i) {
+        y[i] = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          y[i] += weights[c] * double{tile.plane(static_cast<std::size_t>(i), c)[t]};
+        }
+      }
+      y = y.cwiseQuotient(texel.falloff());
+      const Eigen::ArrayXd missed =
+          (y - texel.design() * texel.solve(y)).array() / away * texel.falloff().array();
+      for (std::size_t i = 0; i < squares.size(); ++i) {
+        if (!has_leave_one_out(solver, i)) continue;
+        const double one = missed[static_cast<Eigen::Index>(i)];
+        squares[i] += one * one;
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void add_leave_one_out(const PhotoTile& tile, const LightSolver& solver, MapKind kind,
-                       std::span<double> squares) {
+                       std::span<double> squares, NearTexels near) {
   const std::size_t lights = squares.size();
   if (static_cast<Eigen::Index>(lights) != solver.inverse.cols()) {
     throw std::invalid_argument("leave-one-out sums of another number of lights");
   }
+  if (near.lights != nullptr) return add_near_leave_one_out(tile, solver, kind, squares, near);
   Eigen::MatrixXd y(static_cast<Eigen::Index>(tile.texels), solver.inverse.cols());
   for (const auto& weights : fitted_signals(kind)) {
     for (std::size_t i = 0; i < lights; ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "golden/fit/reweigh.h"
@@ -98,20 +99,24 @@ PTM_WIDE void add_products(const FourLanes& y, const FourLights& lights, std::si
 
 class TileFitter {
  public:
-  TileFitter(const PhotoTile& tile, const LightSolver& solver, const FitOptions& options)
+  TileFitter(const PhotoTile& tile, const LightSolver& solver, const FitOptions& options,
+             NearTexels near)
       : tile_(tile),
         solver_(solver),
         options_(options),
         lights_(static_cast<std::size_t>(solver.inverse.cols())),
         signals_(fitted_signals(options.kind)),
-        reweigher_(solver) {}
+        near_(near),
+        reweigher_(solver) {
+    if (near.lights != nullptr) near_solver_.emplace(solver, *near.lights);
+  }
 
   void fit(std::size_t first, std::size_t texels, double* coef, std::uint8_t* color) {
     first_ = first;
     texels_ = texels;
     sums_ = {};
     for (std::size_t i = 0; i < lights_; i += kLights) add_lights(i);
-    if (options_.robust_passes > 0) reweigh();
+    if (near_solver_ || options_.robust_passes > 0) solve_each();
     for (std::size_t t = 0; t < texels; ++t) {
       double scale = 1;
       if (options_.kind == MapKind::lrgb) scale = take_color(t, color + t * 3);
@@ -162,21 +167,36 @@ class TileFitter {
     }
   }
 
-  void reweigh() {
-    std::vector<double> samples(lights_);
+  /// Texel by texel: the fit under near lights, and robust passes.
+  void solve_each() {
+    Eigen::VectorXd samples(static_cast<Eigen::Index>(lights_));
     std::array<double, 6> a{};
     for (std::size_t t = 0; t < texels_; ++t) {
+      if (near_solver_) {
+        near_solver_->look(near_.first + first_ + t);
+        if (options_.robust_passes > 0) reweigher_.take_design(near_solver_->design());
+      }
       for (std::size_t s = 0; s < signals_.size(); ++s) {
-        for (std::size_t i = 0; i < lights_; ++i) {
-          const auto planes = rgb(i);
-          samples[i] = 0;
-          for (std::size_t c = 0; c < 3; ++c) samples[i] += signals_[s][c] * double{planes[c][t]};
-        }
+        take_samples(t, signals_[s], samples);
         for (std::size_t k = 0; k < 6; ++k) a[k] = sums_.coef[s][k][t];
-        reweigher_.improve(samples, a, options_.robust_passes);
+        if (near_solver_)
+          Eigen::Map<Eigen::Matrix<double, 6, 1>>(a.data()) = near_solver_->solve(samples);
+        if (options_.robust_passes > 0)
+          reweigher_.improve({samples.data(), lights_}, a, options_.robust_passes);
         for (std::size_t k = 0; k < 6; ++k) sums_.coef[s][k][t] = a[k];
       }
-      if (options_.kind != MapKind::rgb) reweigh_color(t, samples);
+      if (options_.robust_passes > 0 && options_.kind != MapKind::rgb)
+        reweigh_color(t, {samples.data(), lights_});
+    }
+  }
+
+  void take_samples(std::size_t t, const std::array<double, 3>& weights,
+                    Eigen::VectorXd& samples) const {
+    for (std::size_t i = 0; i < lights_; ++i) {
+      const auto planes = rgb(i);
+      double y = 0;
+      for (std::size_t c = 0; c < 3; ++c) y += weights[c] * double{planes[c][t]};
+      samples[static_cast<Eigen::Index>(i)] = y;
     }
   }
 
@@ -238,10 +258,27 @@ class TileFitter {
   FitOptions options_;
   std::size_t lights_, first_ = 0, texels_ = 0;
   std::vector<std::array<double, 3>> signals_;
+  NearTexels near_;
+  std::optional<NearSolver> near_solver_;
   Reweigher reweigher_;
   Sums sums_{};
   FourLanes y_{};
 };
+
+/// The photographs as if each light were as strong everywhere as in the picture's centre.
+PhotoTile without_falloff(const PhotoTile& tile, const NearTexels& near, std::vector<float>& even) {
+  even.resize(near.lights->size() * 3 * tile.texels);
+  for (std::size_t i = 0; i < near.lights->size(); ++i) {
+    for (std::size_t t = 0; t < tile.texels; ++t) {
+      const double falloff = near.lights->at(i, near.first + t).falloff;
+      for (std::size_t c = 0; c < 3; ++c) {
+        even[(i * 3 + c) * tile.texels + t] =
+            static_cast<float>(double{tile.plane(i, c)[t]} / falloff);
+      }
+    }
+  }
+  return {tile.texels, tile.texels, even.data()};
+}
 
 }  // namespace
 
@@ -252,14 +289,16 @@ std::vector<std::array<double, 3>> fitted_signals(MapKind kind) {
 }
 
 void fit_tile(const PhotoTile& tile, const LightSolver& solver, const FitOptions& options,
-              std::span<double> coef, std::span<std::uint8_t> color) {
+              std::span<double> coef, std::span<std::uint8_t> color, NearTexels near) {
   PtmMap shape;
   shape.kind = options.kind;
   if (coef.size() != tile.texels * 6 * shape.polynomials() ||
       color.size() != tile.texels * shape.color_bytes()) {
     throw std::invalid_argument("a tile of a fit whose sizes do not agree");
   }
-  TileFitter fitter(tile, solver, options);
+  std::vector<float> even;
+  const PhotoTile lit = near.lights == nullptr ? tile : without_falloff(tile, near, even);
+  TileFitter fitter(lit, solver, options, near);
   for (std::size_t first = 0; first < tile.texels; first += kBlock) {
     fitter.fit(first, std::min(kBlock, tile.texels - first),
                coef.data() + first * 6 * shape.polynomials(),

@@ -6,6 +6,7 @@
 
 #include "golden/files/ptm_map.h"
 #include "golden/fit/light_solver.h"
+#include "golden/fit/near_lights.h"
 #include "golden/fit/photo_bands.h"
 
 namespace ptm::golden {
@@ -53,8 +54,11 @@ inline constexpr std::array<double, 3> kLumaWeights{0.2125, 0.7154, 0.0721};
 ///
 /// A texel black in every photograph gets coefficients 0 and colour 0 (lum: 128, 128).
 ///
+/// With `near` lights, the formulas hold for samples divided by each light's strength at the texel,
+/// and inverse is the texel's own (near_lights.h); `solver` is of the picture's centre.
+///
 /// Writes coef [texel][polynomials][6] and color [texel][PtmMap::color_bytes()].
 void fit_tile(const PhotoTile& tile, const LightSolver& solver, const FitOptions& options,
-              std::span<double> coef, std::span<std::uint8_t> color);
+              std::span<double> coef, std::span<std::uint8_t> color, NearTexels near = {});
 
 }  // namespace ptm::golden

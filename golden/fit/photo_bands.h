@@ -25,6 +25,10 @@ struct Band {
   std::size_t texels = 0;
   std::vector<float> samples;  ///< [photograph][channel][texel]
 
+  /// Texels of the region above the band.
+  [[nodiscard]] std::size_t before(int width) const {
+    return static_cast<std::size_t>(first_row) * static_cast<std::size_t>(width);
+  }
   [[nodiscard]] PhotoTile tile(std::size_t first, std::size_t count, std::size_t photograph) const {
     return {count, texels, samples.data() + photograph * 3 * texels + first};
   }

@@ -14,10 +14,16 @@ constexpr double kSmallestSigma = 0.5;     ///< levels: photographs are rounded 
 
 Reweigher::Reweigher(const LightSolver& solver)
     : solver_(solver),
+      design_(solver.design),
       reduced_(solver.design * solver.subspace),
       residuals_(solver.design.rows()),
       weights_(Eigen::VectorXd::Ones(solver.design.rows())),
       sorted_(solver.design.rows()) {}
+
+void Reweigher::take_design(const Eigen::Matrix<double, Eigen::Dynamic, 6>& design) {
+  design_ = design;
+  reduced_ = design_ * solver_.subspace;
+}
 
 void Reweigher::weigh() {
   sorted_ = residuals_.cwiseAbs();
@@ -32,7 +38,7 @@ void Reweigher::improve(std::span<const double> samples, std::span<double, 6> co
                                             static_cast<Eigen::Index>(samples.size()));
   Eigen::Map<Eigen::Matrix<double, 6, 1>> a(coef.data());
   for (int pass = 0; pass < passes; ++pass) {
-    residuals_ = y - solver_.design * a;
+    residuals_ = y - design_ * a;
     weigh();
     const Eigen::MatrixXd weighted = weights_.asDiagonal() * reduced_;
     const Eigen::MatrixXd normal = reduced_.transpose() * weighted;

@@ -12,6 +12,8 @@ class Reweigher {
  public:
   explicit Reweigher(const LightSolver& solver);
 
+  /// Takes other rows of the basis: those of a texel's own lights.
+  void take_design(const Eigen::Matrix<double, Eigen::Dynamic, 6>& design);
   /// `coef` holds the plain fit of `samples`, one a light, in levels; both are [6] and [light].
   /// Afterwards weights() are those of the last pass.
   void improve(std::span<const double> samples, std::span<double, 6> coef, int passes);
@@ -21,6 +23,7 @@ class Reweigher {
   void weigh();
 
   const LightSolver& solver_;
+  Eigen::MatrixXd design_;
   Eigen::MatrixXd reduced_;  ///< design * subspace
   Eigen::VectorXd residuals_, weights_, sorted_;
 };

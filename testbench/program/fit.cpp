@@ -109,6 +109,7 @@ Json to_json(const FitArguments& arguments, const FitJob& job, const FitOutcome&
   out["map"] = job.out.string();
   out["format"] = arguments.format;
   out["linear"] = job.capture.linear;
+  if (job.capture.width_mm > 0) out["width_mm"] = job.capture.width_mm;
   out["width"] = outcome.width;
   out["height"] = outcome.height;
   out["photographs"] = outcome.training.names.size();
@@ -215,10 +216,16 @@ void add_input_options(CLI::App& command, FitArguments& a) {
                 "leave out lights whose photographs are missing (default: an error)")
       ->excludes(lights)
       ->excludes(pictures);
+  auto* width = command
+                    .add_option("--width-mm", a.job.capture.width_mm,
+                                "the picture's width in the unit of the lights' positions: fits "
+                                "near lights, each pixel with its own light vectors and fall-off")
+                    ->check(CLI::PositiveNumber);
   command
       .add_flag("--univariate", a.job.capture.univariate,
                 "one parameter (focus, time): --lights holds one number a picture")
-      ->needs(lights);
+      ->needs(lights)
+      ->excludes(width);
   command.add_option("--region", a.region, "X,Y,W,H: fit this part only, in pixels from top left");
   command.add_flag("--share-pictures", a.job.capture.share_pictures,
                    "let several lights have the same picture (default: an error, since a list "

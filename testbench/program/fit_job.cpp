@@ -42,11 +42,13 @@ class Timed {
 Capture split_off(Capture& capture, int n) {
   Capture kept, held;
   kept.region = held.region = capture.region;
+  kept.frame = held.frame = capture.frame;
   kept.notes = std::move(capture.notes);
   for (std::size_t i = 0; i < capture.names.size(); ++i) {
     Capture& to = (i + 1) % static_cast<std::size_t>(n) == 0 ? held : kept;
     to.names.push_back(std::move(capture.names[i]));
     to.directions.push_back(capture.directions[i]);
+    if (capture.frame) to.positions.push_back(capture.positions[i]);
     to.photographs.push_back(std::move(capture.photographs[i]));
   }
   capture = std::move(kept);
@@ -149,6 +151,7 @@ class Runner {
 
   void solve() {
     out_.solver = golden::solve_lights(training_.directions);
+    if (training_.frame) near_.emplace(training_.positions, *training_.frame);
     const int full = job_.capture.univariate ? 3 : 6;
     const std::string lights = "the " + std::to_string(training_.names.size()) + " lights ";
     const std::string condition = golden::format_real(std::round(out_.solver.condition));
@@ -209,11 +212,15 @@ class Runner {
     balances_.assign(golden::tiles_of(band_.texels), {});
     golden::for_each_tile(band_.texels, [&](std::size_t tile, std::size_t first, std::size_t n) {
       golden::fit_tile(band_.tile(first, n, 0), out_.solver, job_.fit, coef_of(first, n),
-                       color_of(first, n));
+                       color_of(first, n), near_texels(first));
       if (!balances()) return;
       balances_[tile] = quantize::balance_luminance(coef_of(first, n), color_of(first, n),
                                                     balance_lights_, job_.config);
     });
+  }
+
+  [[nodiscard]] golden::NearTexels near_texels(std::size_t first) const {
+    return {near_ ? &*near_ : nullptr, band_.before(shape_.width) + first};
   }
 
   /// HP's fitter knows no limit of luminance, and colours of other kinds are no factors.
@@ -306,6 +313,7 @@ class Runner {
   MapStorage storage_;
   golden::PtmMap shape_;  ///< kind, size, scales and biases; no texels
   Capture training_, held_out_;
+  std::optional<golden::NearLights> near_;
   Band band_;
   RoomyBuffer<double> coef_;         ///< of the band, [texel][polynomial][6]
   RoomyBuffer<std::uint8_t> bytes_;  ///< the same, stored

@@ -27,6 +27,11 @@ FitJudge::FitJudge(const golden::Capture& training, const golden::Capture& held_
                       static_cast<std::size_t>(training.region.height);
   stride_ = (texels + kSampleTexels - 1) / kSampleTexels;
   sample_.fitted = training.names.size();
+  if (training.frame) {  // each texel has a design of its own
+    near_.emplace(training.positions, *training.frame);
+    if (held_out.frame) near_held_out_.emplace(held_out.positions, *held_out.frame);
+    return;
+  }
   auto& design = sample_.designs.emplace_back(
       static_cast<Eigen::Index>(training.names.size() + held_out.names.size()), 6);
   Eigen::Index row = 0;
@@ -52,6 +57,7 @@ void FitJudge::add(const golden::Band& band, std::span<const double> coef,
   const std::size_t lights = training_.names.size();
   const std::size_t numbers = coef.size() / band.texels, bytes = color.size() / band.texels;
   const double samples = 3 * static_cast<double>(lights);
+  const std::size_t above = band.before(training_.region.width);
   std::vector<Sums> tiles(golden::tiles_of(band.texels), Sums(lights, held_out_.names.size()));
   golden::for_each_tile(band.texels, [&](std::size_t tile, std::size_t first, std::size_t count) {
     Sums& sums = tiles[tile];
@@ -59,19 +65,22 @@ void FitJudge::add(const golden::Band& band, std::span<const double> coef,
     const auto stored_part = stored.subspan(first * numbers, count * numbers);
     const auto color_part = color.subspan(first * bytes, count * bytes);
     const auto compare = [&](const golden::Capture& with, std::size_t photograph, LightSums& to,
+                             const std::optional<golden::NearLights>& lit,
                              std::span<double> texels) {
       if (with.names.empty()) return;
       const golden::PhotoTile seen = band.tile(first, count, photograph);
-      golden::add_squares(seen, with.directions, options_.kind, real_part, color_part, to.real);
+      const golden::NearTexels near{lit ? &*lit : nullptr, above + first};
+      golden::add_squares(seen, with.directions, options_.kind, real_part, color_part, to.real, {},
+                          near);
       golden::add_squares(seen, with.directions, options_.kind, stored_part, color_part, to.stored,
-                          texels);
+                          texels, near);
     };
     std::vector<double> texels(residual_rows.empty() ? 0 : count);
-    compare(training_, 0, sums.training, texels);
-    compare(held_out_, lights, sums.held_out, {});
+    compare(training_, 0, sums.training, near_, texels);
+    compare(held_out_, lights, sums.held_out, near_held_out_, {});
     if (options_.robust_passes == 0) {
       golden::add_leave_one_out(band.tile(first, count, 0), solver_, options_.kind,
-                                sums.leave_one_out);
+                                sums.leave_one_out, {near_ ? &*near_ : nullptr, above + first});
     }
     for (std::size_t t = 0; t < texels.size(); ++t) {
       const double level = kResidualGain * std::sqrt(texels[t] / samples);
@@ -118,6 +127,20 @@ void FitJudge::take_sample(const golden::Band& band) {
       double y = 0;
       for (std::size_t c = 0; c < 3; ++c) y += golden::kLumaWeights[c] * double{*tile.plane(i, c)};
       levels[static_cast<Eigen::Index>(i)] = y;
+    }
+    if (near_) take_near_design(number, levels);
+  }
+}
+
+/// The rows of the basis at one texel; its levels lose their fall-off.
+void FitJudge::take_near_design(std::size_t texel, Eigen::VectorXd& levels) {
+  auto& design = sample_.designs.emplace_back(levels.size(), 6);
+  Eigen::Index row = 0;
+  for (const auto* lights : {&near_, &near_held_out_}) {
+    for (std::size_t i = 0; *lights && i < (*lights)->size(); ++i, ++row) {
+      const golden::NearLights::Seen seen = (*lights)->at(i, texel);
+      design.row(row) = golden::light_basis(seen.u, seen.v).transpose();
+      levels[row] /= seen.falloff;
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,11 +42,13 @@ class FitJudge {
   };
   [[nodiscard]] FitJudgement judgement(const golden::Capture& capture, const LightSums& sums) const;
   void take_sample(const golden::Band& band);
+  void take_near_design(std::size_t texel, Eigen::VectorXd& levels);
   void find_contradictions(FitOutcome& outcome) const;
 
   const golden::Capture& training_;
   const golden::Capture& held_out_;
   const golden::LightSolver& solver_;
+  std::optional<golden::NearLights> near_, near_held_out_;
   golden::FitOptions options_;
   Sums sums_;
   double texels_ = 0;   ///< seen so far

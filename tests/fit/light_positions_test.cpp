@@ -78,6 +78,20 @@ TEST(LightPositions, NormalisesLightsAndSaysSo) {
   EXPECT_EQ(p.notes[0], "1 of 2 lights were not of length 1 (2 to 2), normalised");
 }
 
+TEST(LightPositions, SaysThatPositionsAreTakenAsDirections) {
+  const ScratchFolder folder;
+  const std::string list = "a.png 0 0 300\nb.png 120 0 160\n";
+  const LightPositions p = read(folder, list);
+  EXPECT_EQ(p.pictures[1].direction, (std::array<double, 3>{0.6, 0, 0.8}));
+  EXPECT_EQ(p.pictures[1].position, (std::array<double, 3>{120, 0, 160}));
+  ASSERT_EQ(p.notes.size(), 1U);
+  EXPECT_EQ(p.notes[0],
+            "2 of 2 lights were not of length 1 (200 to 300), as positions are; they are taken as "
+            "directions, as if all light came from afar: --width-mm WIDTH fits near lights");
+  EXPECT_TRUE(
+      read_light_positions(folder / "capture.lp", {.folder = {}, .positions = true}).notes.empty());
+}
+
 TEST(LightPositions, SaysWhenTheCountIsWrong) {
   const ScratchFolder folder;
   const LightPositions p = read(folder, "3\na.png 0 0 1\n");
