@@ -145,7 +145,9 @@ TEST(LightPositions, ReadsEveryKindOfLineEndAndSixteenBitText) {
     wide += std::string{c, '\0'};
     big += std::string{'\0', c};
   }
-  for (const std::string& text : {old, wide, big, "\xEF\xBB\xBF" + old + "\r\r"}) {
+  std::string marked = "\xEF\xBB\xBF";
+  marked.append(old).append("\r\r");
+  for (const std::string& text : {old, wide, big, marked}) {
     const LightPositions p = read(folder, text);
     ASSERT_EQ(p.pictures.size(), 2U);
     EXPECT_EQ(p.pictures[1].picture, folder / "b.png");
@@ -224,8 +226,9 @@ TEST(LightPositions, LeavesOutLightsWithoutPicturesIfAskedTo) {
   const ScratchFolder folder;
   std::string list;
   for (int i = 0; i < 8; ++i) {
-    const std::string name = "p" + std::to_string(i) + ".png";
-    list += name + " 0." + std::to_string(i) + " 0 1\n";
+    std::string name(1, 'p');
+    name.append(std::to_string(i)).append(".png");
+    list.append(name).append(" 0.").append(std::to_string(i)).append(" 0 1\n");
     if (i != 2 && i != 5) folder.write(name, "x");
   }
   const auto lp = folder.write("c.lp", list);
