@@ -40,7 +40,13 @@ module ptm_unit #(
   parameter int Stages           = 0     // mask of stages behind the combine stage
 ) (
   input  logic         clk_i,
+  // Both fall at any time and must rise between two rising edges of clk_i, as a synchroniser of the
+  // system's gives them (docs/spec/handshake.md, Reset). rst_ni resets the unit; mem_rst_ni, low
+  // only while rst_ni is, says that the memory forgets the requests it has not answered. Tie both
+  // together where the memory is always reset with the unit; where it is not, rst_ni falls in step
+  // with clk_i too.
   input  logic         rst_ni,
+  input  logic         mem_rst_ni,
   // Registers, written while the unit is idle; reading is combinational
   input  logic         reg_we_i,
   input  logic [15:0]  reg_addr_i,
@@ -95,7 +101,7 @@ module ptm_unit #(
   logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws;
   logic [5:0]  counter_number;
   logic [63:0] counter;
-  logic        error, checking, busy, invalidate, clear, mem_error;
+  logic        error, checking, busy, invalidate, clear, mem_error, draining;
   logic        pal_lrgb_we, pal_rgb_we;
   logic [10:0] pal_lrgb_addr;
   logic [14:0] pal_rgb_addr;
@@ -111,9 +117,8 @@ module ptm_unit #(
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .effects_o(effects),
     .table_we_o(table_we), .table_addr_o(table_addr), .table_data_o(table_data), .error_o(error),
     .checking_o(checking), .busy_i(busy), .invalidate_o(invalidate), .clear_o(clear),
-    .mem_error_i(mem_error), .mem_error_tag_i(mem_rsp_tag_i),
+    .mem_error_i(mem_error), .mem_error_tag_i(mem_rsp_tag_i), .draining_i(draining),
     .counter_number_o(counter_number), .counter_i(counter),
-   
     .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
     .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
   );
@@ -179,7 +184,8 @@ module ptm_unit #(
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
     .MissFifo(MissFifo), .ExtraSets(ExtraSets), .Stages(Stages)
   ) u_front (
-    .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .sets_i(sets),
+    .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining),
+    .draws_i(draws), .sets_i(sets),
     .invalidate_i(invalidate), .clear_i(clear),
     .busy_o(busy), .counter_number_i(counter_number), .counter_o(counter),
     .valid_i(frag_valid_i && open), .ready_o(front_ready),

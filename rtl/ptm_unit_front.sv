@@ -19,6 +19,7 @@ module ptm_unit_front #(
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
+  input  logic                      mem_rst_ni,
   input  logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws_i,
   input  logic [ptm_unit_pkg::Draws*3-1:0] sets_i,  // coefficient sets beyond the map's, by draw
   input  logic                      invalidate_i,  // only while nothing is inside
@@ -39,6 +40,7 @@ module ptm_unit_front #(
   input  logic [7:0]                mem_rsp_tag_i,
   input  logic [LineWidth-1:0]      mem_rsp_line_i,
   output logic                      mem_error_o,   // with the response that nobody waits for
+  output logic                      draining_o,    // answers from before the reset are awaited
   // D
   output logic                      d_valid_o,
   input  logic                      d_ready_i,
@@ -145,8 +147,8 @@ module ptm_unit_front #(
   ptm_unit_miss_ring #(
     .Tmus(Tmus), .MissFifo(MissFifo)
   ) u_miss_ring (
-    .clk_i(clk_i), .rst_ni(rst_ni), .miss_valid_i(miss_valid), .miss_line_i(miss_line),
-    .miss_push_i(miss_push), .miss_fits_o(miss_fits), .req_valid_o(mem_req_valid_o),
+    .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining_o),
+    .miss_valid_i(miss_valid), .miss_line_i(miss_line), .miss_push_i(miss_push), .miss_fits_o(miss_fits), .req_valid_o(mem_req_valid_o),
     .req_ready_i(mem_req_ready_i), .req_line_o(mem_req_line_o), .req_tag_o(mem_req_tag_o),
     .rsp_valid_i(mem_rsp_valid_i), .rsp_tag_i(mem_rsp_tag_i), .rsp_line_i(mem_rsp_line_i),
     .rsp_error_o(mem_error_o), .rank_i(rank), .usable_o(usable), .commit_i(commit),

@@ -5,6 +5,10 @@
 // slot's number. Responses come in any order and are usable in the cycle after; one whose tag is
 // not outstanding is dropped and reported. K commits ranks in ring order, reading up to Tmus
 // slots side by side, and returns a beat's slots together: free from the cycle after (T5).
+//
+// The memory may still owe answers to requests from before a reset of the unit. They are counted in
+// a register that only mem_rst_ni resets; until the last one has come nothing is asked for, and
+// whatever comes is dropped.
 // docs/spec/unit-timing.md, Tags and Commit.
 `include "ptm_assert.svh"
 module ptm_unit_miss_ring #(
@@ -15,6 +19,7 @@ module ptm_unit_miss_ring #(
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
+  input  logic                 mem_rst_ni,  // the memory forgets what it owes; low only with rst_ni
   // T
   input  logic [Tmus-1:0]                miss_valid_i,
   input  logic [Tmus*LineBits-1:0]       miss_line_i,
@@ -29,6 +34,7 @@ module ptm_unit_miss_ring #(
   input  logic [7:0]           rsp_tag_i,
   input  logic [LineWidth-1:0] rsp_line_i,
   output logic                 rsp_error_o,  // no request of that tag is outstanding
+  output logic                 draining_o,   // answers from before the reset are awaited
   // K: the lines of its rank
   input  logic [Tmus-1:0]      rank_i,       // TMUs that have one
   output logic                 usable_o,     // all of them are there
@@ -85,8 +91,9 @@ module ptm_unit_miss_ring #(
   end
 
   // Requests
+  logic draining_q;
   logic request;
-  assign req_valid_o = waiting_q != '0;
+  assign req_valid_o = waiting_q != '0 && !draining_q;
   assign req_line_o  = address_q[request_q];
   assign req_tag_o   = 8'(request_q);
   assign request     = req_valid_o && req_ready_i;
@@ -97,7 +104,22 @@ module ptm_unit_miss_ring #(
   assign response_slot = rsp_tag_i[SlotBits-1:0];
   assign response      = rsp_valid_i && 9'(rsp_tag_i) < 9'(MissFifo) &&
                          outstanding_q[response_slot];
-  assign rsp_error_o   = rsp_valid_i && !response;
+
+  // What the memory owes. While the ring drains any answer is one of those; tags mean nothing then.
+  logic [CountBits-1:0] owed_q;
+  logic                 owed;
+  assign owed        = draining_q ? rsp_valid_i && owed_q != '0 : response;
+  assign rsp_error_o = rsp_valid_i && !owed;
+  assign draining_o  = draining_q;
+  always_ff @(posedge clk_i or negedge mem_rst_ni) begin
+    if (!mem_rst_ni) owed_q <= '0;
+    else if (request != owed) owed_q <= request ? owed_q + 1'b1 : owed_q - 1'b1;
+  end
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) draining_q <= 1'b1;
+    else if (owed_q == '0) draining_q <= 1'b0;
+  end
+
   always_ff @(posedge clk_i) if (response) line_q[response_slot] <= rsp_line_i;
 
   // Commit
@@ -159,5 +181,6 @@ module ptm_unit_miss_ring #(
 
   `PTM_ASSERT(PushFits_A, !push || free_q >= CountBits'(pushed))
   `PTM_ASSERT(CommitOfUsable_A, !commit_i || usable_o)
+  `PTM_ASSERT(MemoryIsResetWithTheUnit_A, mem_rst_ni)
   `PTM_ASSERT(NoMoreFreeThanThereAre_A, free_q <= CountBits'(MissFifo))
 endmodule

@@ -30,6 +30,7 @@ module ptm_unit_registers #(
   output logic        clear_o,       // the counters; in the cycle of the write
   input  logic        mem_error_i,   // a response came with a tag that is not outstanding
   input  logic [7:0]  mem_error_tag_i,
+  input  logic        draining_i,    // the memory owes answers from before the reset
   output logic [5:0]  counter_number_o,  // which counter the read address asks for
   input  logic [63:0] counter_i,         // its value, 0 if there is none of that number
   // Palettes
@@ -286,8 +287,8 @@ module ptm_unit_registers #(
       reg_rdata_o = {4'd0, errors_q[15:12], 4'd0, errors_q[11:8], 4'd0, errors_q[7:4],
                      4'd0, errors_q[3:0]};
     end else if (reg_addr_i == 16'h1003) begin
-      reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 6'd0, mem_error_q,
-                     busy_i || checking_o};
+      reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 5'd0, draining_i,
+                     mem_error_q, busy_i || checking_o};
     end else reg_rdata_o = '0;
   end
 endmodule

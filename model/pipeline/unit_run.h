@@ -20,6 +20,9 @@ namespace ptm::pipeline {
 struct UnitFrame {
   std::span<const reference::UnitFragment> fragments;
   bool keep_cache = false;
+  /// If set, the unit alone was reset before the frame, and in this cycle the memory gives the last
+  /// answer to a request from before. Nothing is asked for until then (docs/spec/unit-timing.md).
+  std::optional<Cycle> owed_until = std::nullopt;
 };
 
 struct UnitFault {

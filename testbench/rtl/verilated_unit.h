@@ -71,6 +71,10 @@ class RtlUnit {
   /// (`exact` knows only 0). Pixels stay the same; requires 0 <= probability < 1.
   virtual void stall_requests(double probability, std::uint64_t seed) = 0;
 
+  /// One cycle of reset, whatever the unit holds, with nothing offered to it: of the unit alone, or
+  /// of the memory too, which then forgets the requests that it has not answered. The registers are
+  /// to be written again.
+  virtual void reset(bool memory_too) = 0;
   /// Cycle by cycle, after load().
   virtual RtlUnitSeen cycle(const RtlUnitPins& pins) = 0;
   virtual void write(std::uint16_t address, std::uint32_t data) = 0;  ///< takes a cycle

@@ -77,6 +77,25 @@ class VerilatedUnit final : public RtlUnit {
     return seen;
   }
 
+  void reset(bool memory_too) override {
+    pins_.frag_valid_i = 0;
+    pins_.pix_ready_i = 0;
+    pins_.mem_req_ready_i = 1;
+    pins_.mem_rsp_valid_i = 0;
+    pins_.reg_we_i = 0;
+    pins_.probe_i = unit_probe::kNone;
+    dut_.rst_ni = 1;  // so that the next lines are an edge
+    dut_.mem_rst_ni = 1;
+    dut_.eval();
+    dut_.rst_ni = 0;
+    dut_.mem_rst_ni = !memory_too;
+    dut_.eval();  // it falls between two edges: a request that was offered is not taken at the next
+    clock_edge();
+    dut_.mem_rst_ni = 1;
+    dut_.rst_ni = 1;
+    dut_.eval();
+  }
+
   void write(std::uint16_t address, std::uint32_t data) override {
     pins_.frag_valid_i = 0;
     pins_.pix_ready_i = 0;
@@ -127,18 +146,7 @@ class VerilatedUnit final : public RtlUnit {
 
   /// Reset and registers.
   void start() {
-    pins_.frag_valid_i = 0;
-    pins_.pix_ready_i = 0;
-    pins_.mem_req_ready_i = 1;
-    pins_.mem_rsp_valid_i = 0;
-    pins_.reg_we_i = 0;
-    pins_.probe_i = unit_probe::kNone;
-    dut_.rst_ni = 1;  // so that the next line is an edge
-    dut_.eval();
-    dut_.rst_ni = 0;
-    clock_edge();
-    dut_.rst_ni = 1;
-    dut_.eval();
+    reset(true);
     for (const reference::RegisterWrite& w : writes_) write(w.address, w.data);
     unsigned waited = 0;
     while ((read(kState) & 1U) != 0) {

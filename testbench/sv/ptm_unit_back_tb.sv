@@ -112,7 +112,8 @@ module ptm_unit_back_tb #(
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .error_o(error_o),
     .checking_o(checking_o), .busy_i(busy_i), .invalidate_o(invalidate_o), .clear_o(clear_o),
-    .mem_error_i(mem_error_i), .mem_error_tag_i(mem_error_tag_i), .counter_number_o(counter_number),
+    .mem_error_i(mem_error_i), .mem_error_tag_i(mem_error_tag_i), .draining_i(1'b0),
+    .counter_number_o(counter_number),
     .counter_i(counter), .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
     .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
   );

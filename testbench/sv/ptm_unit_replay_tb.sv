@@ -1,7 +1,8 @@
 // Drives a unit in a four-state simulator (Icarus Verilog) from a file, and compares what it gives,
 // X included. One command a line, numbers in hexadecimal; tests/rtl/four_state.h writes them.
 //
-//   R                    reset
+//   R                    reset of the unit and the memory
+//   S                    reset of the unit alone
 //   I cycles             cycles in which nothing is offered
 //   W address data       a register is written
 //   Q address data       a register is read: no cycle
@@ -9,7 +10,7 @@
 //
 // Prints "replayed" at the end if nothing differed. plusarg: +trace=FILE. No design logic.
 module ptm_unit_replay_tb;
-  reg         clk, rst_n, reg_we;
+  reg         clk, rst_n, mem_rst_n, reg_we;
   reg  [15:0] reg_addr;
   reg  [31:0] reg_wdata;
   wire [31:0] reg_rdata;
@@ -29,7 +30,7 @@ module ptm_unit_replay_tb;
   wire [23:0] pix_rgb;
 
   ptm_unit dut (
-    .clk_i(clk), .rst_ni(rst_n), .reg_we_i(reg_we), .reg_addr_i(reg_addr),
+    .clk_i(clk), .rst_ni(rst_n), .mem_rst_ni(mem_rst_n), .reg_we_i(reg_we), .reg_addr_i(reg_addr),
     .reg_wdata_i(reg_wdata), .reg_rdata_o(reg_rdata), .frag_valid_i(frag_valid),
     .frag_ready_o(frag_ready), .frag_x_i(frag_x), .frag_y_i(frag_y), .frag_u_i(frag_u),
     .frag_v_i(frag_v), .frag_lod_i(frag_lod), .frag_axis_u_i(frag_axis_u),
@@ -79,6 +80,7 @@ module ptm_unit_replay_tb;
   initial begin
     clk = 1'b0;
     rst_n = 1'b1;
+    mem_rst_n = 1'b1;
     idle;
     reg_addr = 16'd0;
     reg_wdata = 32'd0;
@@ -93,13 +95,16 @@ module ptm_unit_replay_tb;
     while (got == 1) begin
       line_number = line_number + 1;
       case (command[7:0])
-        "R": begin
+        "R", "S": begin
+          idle;
           rst_n = 1'b0;
+          mem_rst_n = command[7:0] == "S";
           #1;
           clk = 1'b1;
           #1;
           clk = 1'b0;
           #1;
+          mem_rst_n = 1'b1;
           rst_n = 1'b1;
           // What the caller need not drive may be anything.
           {frag_x, frag_y, frag_u, frag_v, frag_axis_u, frag_axis_v} = {146{1'bx}};

@@ -34,6 +34,7 @@ module ptm_unit_tb #(
 ) (
   input  logic               clk_i,  // a cycle each time it changes
   input  logic               rst_ni,
+  input  logic               mem_rst_ni,
   input  logic               reg_we_i,
   input  logic        [15:0] reg_addr_i,
   input  logic        [31:0] reg_wdata_i,
@@ -93,6 +94,7 @@ module ptm_unit_tb #(
   ) u_dut (
     .clk_i                (clk),
     .rst_ni               (rst_ni),
+    .mem_rst_ni           (mem_rst_ni),
     .reg_we_i             (reg_we_i),
     .reg_addr_i           (reg_addr_i),
     .reg_wdata_i          (reg_wdata_i),

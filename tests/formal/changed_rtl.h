@@ -11,11 +11,13 @@
 
 namespace ptm::tests {
 
-/// The evaluator's files with one text of one of them replaced, wherever it stands.
+/// The evaluator's files, or those given, with one text of one of them replaced, wherever it
+/// stands.
 class ChangedRtl {
  public:
-  ChangedRtl(const std::string& file, const std::string& from, const std::string& to)
-      : files_(testbench::rtl_sources("rtl/files.f")) {
+  ChangedRtl(const std::string& file, const std::string& from, const std::string& to,
+             std::vector<std::string> files = testbench::rtl_sources("rtl/files.f"))
+      : files_(std::move(files)) {
     std::ostringstream content;
     content << std::ifstream(std::string(PTM_SOURCE_DIR) + '/' + file).rdbuf();
     std::string text = content.str();

@@ -33,10 +33,12 @@ class MissRing final : public sc_core::sc_module {
     for (; held_ != 0; --held_) free_[(next_ + free_.size() - held_) % free_.size()] = left + 1;
   }
 
-  void reset() {
+  /// `first_request`: nothing is asked for before that cycle.
+  void reset(Cycle first_request) {
     std::fill(free_.begin(), free_.end(), 0);
     next_ = held_ = 0;
-    request_free_ = requests_ = 0;
+    requests_ = 0;
+    request_free_ = first_request;
   }
   [[nodiscard]] std::uint64_t requests() const { return requests_; }
 

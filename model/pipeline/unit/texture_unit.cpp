@@ -28,7 +28,7 @@ TextureUnit::TextureUnit(const sc_core::sc_module_name& name, const reference::U
       tags_("tags", unit, ring_, commit_),
       address_("address", plan_draws(draws, unit, eval), tags_) {}
 
-void TextureUnit::reset(bool keep_cache) {
+void TextureUnit::reset(const UnitFrame& frame) {
   memory.reset();
   sink_.taken.clear();
   chain_.reset();
@@ -38,13 +38,14 @@ void TextureUnit::reset(bool keep_cache) {
   palette_.reset();
   fetch_.reset();
   commit_.reset();
-  ring_.reset();
-  tags_.reset(keep_cache);
+  // The count of what is owed is 0 in the cycle after the last answer, the drain over in the next.
+  ring_.reset(frame.owed_until ? *frame.owed_until + 2 : 0);
+  tags_.reset(frame.keep_cache);
   address_.reset();
 }
 
 TextureUnit::Frame TextureUnit::run(const UnitFrame& frame, Cycle patience) {
-  reset(frame.keep_cache);
+  reset(frame);
   sink_.taken.reserve(frame.fragments.size());
   const bool effects = std::ranges::any_of(address_.draws(), &DrawPlan::effects);
   const Feed fed = effects ? feed_with_effects(frame.fragments) : feed<false>(frame.fragments);

@@ -27,7 +27,7 @@ class TextureUnit final : public sc_core::sc_module {
   [[nodiscard]] Frame run(const UnitFrame& frame, Cycle patience);
 
  private:
-  void reset(bool keep_cache);
+  void reset(const UnitFrame& frame);
   /// What of the fragments was accepted.
   struct Feed {
     std::uint64_t accepted = 0;

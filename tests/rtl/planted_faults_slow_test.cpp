@@ -1,0 +1,171 @@
+// Tests of the tests: faults planted in a copy of the RTL, one at a time, and the test that notices
+// each. What a test of the whole unit drives is recorded from the right unit and replayed on the
+// wrong one (four_state.h), whose registers are 0 at first, so that no X gives it away.
+#include "tests/formal/changed_rtl.h"
+#include "tests/rtl/four_state.h"
+#include "tests/rtl/pin_frame.h"
+
+namespace ptm::tests {
+namespace {
+
+struct Fault {
+  const char* name;
+  const char* file;
+  const char* from;
+  const char* to;
+};
+
+testbench::RtlUnitVariant small_unit() { return testbench::rtl_unit_variants().back(); }
+
+/// What RtlUnitReset and RtlUnitDrain do: resets in the middle of frames, whole frames after them
+/// with late answers, and draws that were forgotten.
+std::string reset_recording() {
+  const auto verilated = small_unit().make();
+  UnitRecording unit(*verilated);
+  const SmallWorld world = make_reset_world(small_unit());
+  const auto memory = make_memory(pipeline::RandomMemory{.seed = 4, .latency_max = 30});
+  unit.load(world.state);
+  for (pipeline::Cycle moment = 6; moment < 90; moment += 4) {
+    const PinFrame broken =
+        run_pins(unit, world.state, world.fragments, *memory, LateAnswers{}, moment);
+    unit.reset(false);
+    unit.read(0x1002);
+    unit.read(0x1003);
+    write_registers(unit, world.state);
+    const auto whole = std::span(world.fragments).first(moment % 8 == 2 ? 4 : 12);
+    (void)run_pins(unit, world.state, whole, *memory, LateAnswers{broken.owed, 3, 2}, 100'000);
+    for (std::uint16_t n = 0; n < 2 * reference::kUnitCounters; ++n) {
+      unit.read(static_cast<std::uint16_t>(0x2000 + n));
+    }
+    unit.read(0x1003);
+  }
+  const auto wait = [&unit] {
+    for (int n = 0; n < 30; ++n) unit.write(0x1000, 0);
+  };
+  (void)run_pins(unit, world.state, world.fragments, *memory, LateAnswers{}, 20);
+  unit.reset(true);
+  wait();
+  unit.read(0x1003);
+  unit.write(0, 7);
+  wait();
+  unit.read(0x1002);
+  unit.reset(true);
+  unit.read(0x1002);
+  unit.write(0x1001, 1000);
+  unit.write(0, 1);
+  wait();
+  unit.read(0x1002);
+  return unit.text();
+}
+
+class PlantedReset : public testing::TestWithParam<Fault> {};
+
+TEST_P(PlantedReset, IsNoticedByTheTestsOfResets) {
+  const Fault& fault = GetParam();
+  static const std::string recording = reset_recording();
+  const ChangedRtl changed(fault.file, fault.from, fault.to, unit_sources());
+  const FourStateUnit unit(small_unit(), changed.files(), FourStateUnit::Start::zero);
+  const ToolRun run = unit.replay(recording);
+  EXPECT_EQ(run.output.find("replayed"), std::string::npos) << "nobody noticed";
+  EXPECT_NE(run.output.find("differs"), std::string::npos) << run.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, PlantedReset,
+    testing::Values(
+        Fault{"Outstanding", "rtl/ptm_unit_miss_ring.sv", "outstanding_q <= '0;",
+              "outstanding_q <= outstanding_q;"},
+        Fault{"Usable", "rtl/ptm_unit_miss_ring.sv", "usable_q      <= '0;",
+              "usable_q <= usable_q;"},
+        Fault{"FragmentFifoCount", "rtl/ptm_unit_beat_fifo.sv", "count_q <= '0;",
+              "count_q <= count_q;"},
+        Fault{"TagsValid", "rtl/ptm_unit_tag_bank.sv", "if (!rst_ni) valid_q <= '0;",
+              "if (!rst_ni) valid_q <= valid_q;"},
+        Fault{"SubBeat", "rtl/ptm_unit_split.sv", "if (!rst_ni) sub_q <= '0;",
+              "if (!rst_ni) sub_q <= sub_q;"},
+        Fault{"Probe", "rtl/ptm_unit_beats.sv", "probe_q  <= '0;", "probe_q <= probe_q;"},
+        Fault{"Footprint", "rtl/ptm_unit_beats.sv", "second_q <= 1'b0;", "second_q <= second_q;"},
+        Fault{"Group", "rtl/ptm_unit_beats.sv", "group_q  <= '0;", "group_q <= group_q;"},
+        Fault{"Inside", "rtl/ptm_unit_counters.sv", "inside_q  <= '0;", "inside_q <= inside_q;"},
+        Fault{"Draws", "rtl/ptm_unit_registers.sv", "if (!rst_ni) draws_q <= '0;",
+              "if (!rst_ni) draws_q <= draws_q;"},
+        Fault{"Errors", "rtl/ptm_unit_registers.sv", "errors_q  <= '0;", "errors_q <= errors_q;"},
+        Fault{"DrainSkipped", "rtl/ptm_unit_miss_ring.sv", "if (!rst_ni) draining_q <= 1'b1;",
+              "if (!rst_ni) draining_q <= 1'b0;"},
+        Fault{"DrainTooShort", "rtl/ptm_unit_miss_ring.sv", "else if (owed_q == '0) draining_q",
+              "else if (owed_q <= 1) draining_q"},
+        Fault{"OwedForgotten", "rtl/ptm_unit_miss_ring.sv",
+              "negedge mem_rst_ni) begin\n    if (!mem_rst_ni) owed_q",
+              "negedge rst_ni) begin\n    if (!rst_ni) owed_q"},
+        Fault{"OwedKept", "rtl/ptm_unit_miss_ring.sv", "if (!mem_rst_ni) owed_q <= '0;",
+              "if (!mem_rst_ni) owed_q <= owed_q;"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(PlantedResets, AreNoticedBecauseTheRightUnitReplays) {
+  const FourStateUnit unit(small_unit(), unit_sources(), FourStateUnit::Start::zero);
+  const ToolRun run = unit.replay(reset_recording());
+  EXPECT_NE(run.output.find("replayed"), std::string::npos) << run.output;
+}
+
+class PlantedX : public testing::TestWithParam<Fault> {};
+
+TEST_P(PlantedX, IsNoticedByTheFourStateScenes) {
+  const Fault& fault = GetParam();
+  const ChangedRtl changed(fault.file, fault.from, fault.to, unit_sources());
+  const FourStateUnit unit(small_unit(), changed.files());
+  bool noticed = false;
+  for (const SmallScene& scene : small_scenes()) {
+    const SmallWorld world = make_small_world(scene, small_unit(), 12);
+    const auto verilated = small_unit().make();
+    UnitRecording recording(*verilated);
+    recording.load(world.state);
+    (void)recording.frame(world.state, world.fragments, 1);
+    noticed = noticed || unit.replay(recording.text()).output.find("xx") != std::string::npos;
+    if (noticed) break;
+  }
+  EXPECT_TRUE(noticed);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, PlantedX,
+    testing::Values(Fault{"ColorThatWasNeverLoaded", "rtl/ptm_filter_fields.sv",
+                          "assign replace     = !l3_color_i;", "assign replace     = 1'b0;"},
+                    Fault{"TapThatWasNeverFetched", "rtl/ptm_tap_hold.sv",
+                          "if (!rst_ni) hold_q <= '0;", "if (!rst_ni) hold_q <= hold_q;"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+/// Where the width of a counter is cut, counter_limits.h compiled against it says so.
+TEST(PlantedCarry, IsNoticedByTheTestOfCounterLimits) {
+  const ScratchFolder folder;
+  const auto run = [&folder](const std::vector<std::string>& sources, const char* name) {
+    const std::filesystem::path main = folder.write("main.cpp", R"(
+#include "Vcounters.h"
+#include "Vcounters___024root.h"
+#include "tests/rtl/counter_limits.h"
+#include <cstdio>
+int main() { std::puts(ptm::tests::check_counter_limits<Vcounters>().c_str()); }
+)");
+    std::string command =
+        "verilator --cc --exe --build -O3 -fno-const-bit-op-tree -Wno-fatal -Irtl "
+        "--prefix Vcounters -GStages=1 --top-module ptm_unit_counters "
+        "-CFLAGS '-std=c++20 -I" +
+        std::string(PTM_SOURCE_DIR) + "' --Mdir " + (folder / name).string();
+    for (const std::string& source : sources) command += ' ' + source;
+    const ToolRun build = run_tool(command + ' ' + main.string());
+    EXPECT_EQ(build.status, 0) << build.output;
+    return run_tool((folder / name / "Vcounters").string()).output;
+  };
+  const std::vector<std::string> files{"rtl/ptm_unit_pkg.sv", "rtl/ptm_unit_counters.sv"};
+  EXPECT_EQ(run(files, "right"), "\n");
+  const std::string sum = "count_q[n] + 64'(increment) + (n == 2 || n == 7 ? idle_q : 64'd0)";
+  const ChangedRtl shared("rtl/ptm_unit_counters.sv", "count_q[n] <= " + sum + ';',
+                          "count_q[n][31:0] <= 32'(" + sum + ");", files);
+  EXPECT_NE(run(shared.files(), "shared").find("counter 0 from 4294967276"), std::string::npos);
+  const std::string misses = "draw_count_q[4*d+3] + 64'(misses_color)";
+  const ChangedRtl draws("rtl/ptm_unit_counters.sv", "draw_count_q[4*d+3] <= " + misses + ';',
+                         "draw_count_q[4*d+3][31:0] <= 32'(" + misses + ");", files);
+  EXPECT_NE(run(draws.files(), "draws").find("counter 24 from 4294967276"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ptm::tests
