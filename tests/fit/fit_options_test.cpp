@@ -9,6 +9,7 @@
 #include "golden/files/picture_file.h"
 #include "golden/files/ptm_file.h"
 #include "golden/render/light_map.h"
+#include "testbench/program/fit_job.h"
 #include "tests/run_program.h"
 
 namespace ptm::testbench {
@@ -269,6 +270,27 @@ TEST_F(FitNearLights, AreNearForTheJudgeTooAndInEveryBandAndRegion) {
   expect_refused("fit " + quoted(file("in.lp")) + " --width-mm 100 --out " + quoted(file("n.ptm")),
                  "line 1: found a light within the picture");
   EXPECT_EQ(run("fit " + near + " --width-mm -3 --out " + quoted(file("n.ptm"))).code, 2);
+}
+
+TEST_F(FitNearLights, AreWhereTheyAreInBandsOfFewRows) {
+  FitJob job;
+  job.capture.source = file("near.lp");
+  job.capture.width_mm = 100;
+  job.config = reference::kBase;
+  job.out = file("whole.ptm");
+  const FitOutcome whole = run_fit(job);
+  job.out = file("rows.ptm");
+  job.memory = 50000;
+  const FitOutcome rows = run_fit(job);
+  EXPECT_EQ(whole.bands, 1);
+  EXPECT_GT(rows.bands, 5);
+  EXPECT_TRUE(golden::read_ptm(file("rows.ptm")).map == golden::read_ptm(file("whole.ptm")).map);
+  EXPECT_NEAR(rows.training.real.rmse, whole.training.real.rmse, 1e-9);
+  EXPECT_NEAR(*rows.leave_one_out_rmse, *whole.leave_one_out_rmse, 1e-9);
+  EXPECT_EQ(rows.training.contradicts, whole.training.contradicts);
+  for (std::size_t i = 0; i < 36; ++i) {
+    EXPECT_NEAR(*rows.training.figures[i], *whole.training.figures[i], 1e-9);
+  }
 }
 
 TEST_F(FitNearLights, NamesAContradictingPhotograph) {

@@ -189,6 +189,12 @@ TEST(LightPositions, FindsThePicturesOfRtiBuildersFolders) {
       EXPECT_NE(p.notes.back().find("2 pictures were not where the list says"), std::string::npos);
     }
   }
+  // Any folder beside the list's own, under the name that the list says.
+  folder.write("photos/tif/p3.tif", "x");
+  const auto other =
+      folder.write("assembly-files/o.lp", "D:\\old\\project\\photos\\tif\\p3.tif 0 0 1\n");
+  EXPECT_TRUE(std::filesystem::equivalent(read_light_positions(other).pictures[0].picture,
+                                          folder / "photos/tif/p3.tif"));
   // The list at the project's root, its pictures in a folder of their own.
   const auto list = folder.write("p.lp", "C:\\project\\jpeg-exports\\p1.jpg 0 0 1\n");
   EXPECT_EQ(read_light_positions(list).pictures[0].picture, folder / "jpeg-exports/p1.jpg");
