@@ -52,6 +52,16 @@ TEST(FileKind, NoJpeg2000IsWrittenThatHasNoPixels) {
   EXPECT_NEAR(read_picture(folder / "a.jp2").at(31, 39, 1), 90, 1);
 }
 
+TEST(FileKind, ANameThatIsAFormatsIsNoExtension) {
+  for (const char* name : {"png", "jpeg", "picture", ".png", "a.xyz", "a.ptm", "a."}) {
+    EXPECT_FALSE(is_picture_extension(name)) << name;
+    EXPECT_THROW(check_picture_name(name), InputError) << name;
+  }
+  for (const char* name : {"a.png", "png.tif", "folder.d/a.JPG"}) {
+    EXPECT_TRUE(is_picture_extension(name)) << name;
+  }
+}
+
 TEST(FileKind, TakesCamerasTiffsByTheirNames) {
   EXPECT_EQ(kind_of("II*\0\x08\0\0\0"sv, "a.tif").format, "tiff");
   const FileKind raw = kind_of("II*\0\x08\0\0\0"sv, "a.NEF");
