@@ -1,4 +1,5 @@
 // ptmsim run: a scene through the models, compared, with a report.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -61,6 +62,11 @@ void print_summary(const RunResult& result, const RunComparison& comparison) {
               << grouped(pair.difference.samples) << " samples differ, at most "
               << levels(pair.difference.max) << " levels, " << decibels(pair.difference.psnr_db)
               << '\n';
+  }
+  const auto golden = std::find_if(comparison.pairs.begin(), comparison.pairs.end(),
+                                   [](const PairDifference& p) { return p.a == "golden"; });
+  if (golden != comparison.pairs.end() && comparison.edge_samples != 0) {
+    std::cout << "note: " << edge_sentence(comparison, *golden) << '\n';
   }
   if (result.costs) print_costs(*result.costs);
   for (const PresetDifference& preset : comparison.presets) {

@@ -21,6 +21,17 @@ Row measures(std::string head, const PictureDifference& d) {
           levels(d.mean),  levels(d.rmse),       decibels(d.psnr_db), similarity(d.ssim)};
 }
 
+/// A row of what is left without samples on edges between texels; it has no SSIM.
+void add_off_edges(std::string& page, const std::optional<PartDifference>& part) {
+  if (!part) return;
+  const double differing =
+      static_cast<double>(part->differing) / static_cast<double>(part->samples);
+  add_row(
+      page, "",
+      {"– without samples on edges", grouped(part->differing), share(differing), levels(part->max),
+       levels(part->mean), levels(part->rmse), decibels(part->psnr_db), "–"});
+}
+
 Row headed(Row heads, const std::string& first) {
   heads.insert(heads.begin(), first);
   return heads;
@@ -122,6 +133,7 @@ void add_pair_table(std::string& page, const RunComparison& comparison) {
   for (const PairDifference& pair : comparison.pairs) {
     const bool defect = pair.must_agree && pair.difference.max > 0;
     add_row(page, defect ? "marked" : "", measures(pair.a + " – " + pair.b, pair.difference));
+    add_off_edges(page, pair.off_edges);
   }
   close_table(page);
   page += "</section>\n";
@@ -136,6 +148,7 @@ void add_preset_table(std::string& page, const RunResult& result, const RunCompa
     const bool own = preset.preset == result.preset;
     const std::string name = html_escape(preset.preset) + (own ? " (this run)" : "");
     add_row(page, own ? "bold" : "", measures(name, preset.difference));
+    add_off_edges(page, preset.off_edges);
   }
   close_table(page);
   page += "</section>\n";

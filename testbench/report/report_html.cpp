@@ -59,6 +59,8 @@ void add_accuracy(std::string& page, const RunResult& result, const RunCompariso
            "samples of " + hardware + " whose 8-bit values differ from golden's");
   add_tile(page, similarity(d.ssim), "SSIM" + against + " (1: the same)");
   page += "</div>\n";
+  const std::string edges = edge_sentence(comparison, *pair);
+  if (!edges.empty()) page += "<p class=\"edges\">" + html_escape(edges) + "</p>\n";
 }
 
 void add_fact(std::string& page, const std::string& name, const std::string& value) {

@@ -57,9 +57,18 @@ Json histogram_json(const ErrorHistogram& histogram) {
           {"counts", histogram.counts}};
 }
 
+/// Null where no sample is left, or none was left out.
+Json part_json(const std::optional<PartDifference>& part) {
+  if (!part) return nullptr;
+  return {{"samples", part->samples}, {"differing", part->differing},
+          {"max", part->max},         {"mean", part->mean},
+          {"rmse", part->rmse},       {"psnr_db", finite_or_null(part->psnr_db)}};
+}
+
 Json pair_json(const PairDifference& pair) {
   Json json = {{"a", pair.a}, {"b", pair.b}};
   json.update(difference_json(pair.difference));
+  json["off_edges"] = part_json(pair.off_edges);
   json["histogram"] = histogram_json(pair.difference.histogram);
   return json;
 }
@@ -67,6 +76,7 @@ Json pair_json(const PairDifference& pair) {
 Json preset_json(const PresetDifference& preset) {
   Json json = {{"preset", preset.preset}, {"against", "golden"}};
   json.update(difference_json(preset.difference));
+  json["off_edges"] = part_json(preset.off_edges);
   return json;
 }
 
@@ -95,6 +105,7 @@ Json report_json(const RunResult& result, const RunComparison& comparison) {
   Json json = {{"version", 1}, {"scene", scene_json(result)}, {"models", Json::object()}};
   for (const ModelResult& model : result.models) json["models"][model.model] = model_json(model);
   json["agree"] = comparison.models_agree();
+  json["edge_samples"] = comparison.edge_samples;
   for (const char* list : {"differences", "presets", "worst"}) json[list] = Json::array();
   for (const PairDifference& pair : comparison.pairs) {
     json["differences"].push_back(pair_json(pair));

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "testbench/report/html_text.h"
+
 namespace ptm::testbench {
 namespace {
 
@@ -68,6 +70,13 @@ std::vector<std::size_t> first_with_equal_frames(const RunResult& result) {
   return first;
 }
 
+std::optional<PartDifference> off_edges(const RunResult& result,
+                                        const std::vector<golden::ImageReal>& a,
+                                        const std::vector<golden::ImageReal>& b) {
+  if (result.edge_pixels.empty()) return std::nullopt;
+  return compare_without(a, b, result.edge_pixels);
+}
+
 std::vector<PairDifference> compare_pairs(const RunResult& result) {
   const std::vector<std::size_t> first = first_with_equal_frames(result);
   std::vector<PairDifference> pairs;
@@ -81,8 +90,9 @@ std::vector<PairDifference> compare_pairs(const RunResult& result) {
       PictureDifference difference = same != done.end() ? pairs[std::get<2>(*same)].difference
                                                         : compare_frames(a.frames, b.frames);
       if (same == done.end()) done.emplace_back(first[i], first[j], pairs.size());
-      pairs.push_back(
-          {a.model, b.model, std::move(difference), a.model != kGolden && b.model != kGolden});
+      pairs.push_back({a.model, b.model, std::move(difference),
+                       a.model != kGolden && b.model != kGolden, std::nullopt});
+      if (a.model == kGolden) pairs.back().off_edges = off_edges(result, a.frames, b.frames);
     }
   }
   return pairs;
@@ -94,7 +104,8 @@ std::vector<PresetDifference> compare_presets(const RunResult& result) {
   if (!golden) return presets;
   for (const PresetFrames& preset : result.presets) {
     check_frames(result, "preset " + preset.preset, preset.frames);
-    presets.push_back({preset.preset, compare_frames(golden->frames, preset.frames)});
+    presets.push_back({preset.preset, compare_frames(golden->frames, preset.frames),
+                       off_edges(result, golden->frames, preset.frames)});
   }
   return presets;
 }
@@ -146,6 +157,17 @@ bool RunComparison::models_agree() const {
   });
 }
 
+std::string edge_sentence(const RunComparison& comparison, const PairDifference& pair) {
+  if (comparison.edge_samples == 0) return {};
+  const std::string text =
+      grouped(comparison.edge_samples) + " of " + grouped(pair.difference.samples) +
+      " samples lie on an edge between texels, where the hardware's coordinate, rounded to 2^-20, "
+      "may take the other texel than golden; ";
+  if (!pair.off_edges) return text + "no sample is left without them";
+  return text + "without them " + pair.b + " against golden has " +
+         decibels(pair.off_edges->psnr_db) + ", at most " + levels(pair.off_edges->max) + " levels";
+}
+
 RunComparison compare_run(const RunResult& result) {
   if (result.models.empty()) throw std::invalid_argument("report: no model");
   std::set<std::string> names;
@@ -156,6 +178,8 @@ RunComparison compare_run(const RunResult& result) {
   RunComparison comparison;
   comparison.pairs = compare_pairs(result);
   comparison.presets = compare_presets(result);
+  const auto on_edge = std::count(result.edge_pixels.begin(), result.edge_pixels.end(), 1);
+  comparison.edge_samples = static_cast<std::uint64_t>(on_edge) * 3 * result.lights.size();
   comparison.worst = worst_pixels(comparison.pairs);
   for (ProbedPixel& pixel : comparison.worst) probe_pixel(result, pixel);
   return comparison;

@@ -1,8 +1,11 @@
 #pragma once
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "testbench/compare/part_difference.h"
 #include "testbench/compare/picture_difference.h"
 #include "testbench/run/run_result.h"
 
@@ -12,11 +15,15 @@ struct PairDifference {
   std::string a, b;  ///< model names; errors are b - a
   PictureDifference difference;
   bool must_agree = false;  ///< neither is golden: one differing sample is a defect
+  /// Against golden, without the samples on edges between texels; nothing if there is no such
+  /// sample, or no other.
+  std::optional<PartDifference> off_edges;
 };
 
 struct PresetDifference {
   std::string preset;
-  PictureDifference difference;  ///< preset - golden
+  PictureDifference difference;             ///< preset - golden
+  std::optional<PartDifference> off_edges;  ///< as PairDifference's
 };
 
 /// One model's account of one pixel.
@@ -39,8 +46,15 @@ struct RunComparison {
   /// Up to ten pixels. Pairs that must agree come first, however small their error: there a
   /// difference is a defect. Then by error, then frame, y, x; no pixel twice.
   std::vector<ProbedPixel> worst;
+  /// Samples on edges between texels, of all lights (RunResult::edge_pixels).
+  std::uint64_t edge_samples = 0;
   [[nodiscard]] bool models_agree() const;  ///< in every pair that must
 };
+
+/// A sentence on the samples that lie on edges between texels, and what a pair's error is without
+/// them; empty if there is no such sample. The pair is golden's with a model of hardware.
+[[nodiscard]] std::string edge_sentence(const RunComparison& comparison,
+                                        const PairDifference& pair);
 
 /// Compares every two models over all frames, and every preset's frames with golden's (no golden,
 /// no presets).

@@ -92,8 +92,11 @@ struct RunResult {
   std::vector<FrameLight> lights;     ///< one a frame
   std::vector<ModelResult> models;    ///< in the order golden, reference, pipeline, rtl
   std::vector<PresetFrames> presets;  ///< for the table "error against golden per preset"
-  std::optional<UnitSection> unit;    ///< nothing for a flat map
-  std::optional<EffectCosts> costs;   ///< nothing unless they were asked for
+  /// 1 for each pixel, [height][width], whose sample lies on an edge between texels
+  /// (edge_samples.h), the same under every light; empty if none does.
+  std::vector<std::uint8_t> edge_pixels;
+  std::optional<UnitSection> unit;   ///< nothing for a flat map
+  std::optional<EffectCosts> costs;  ///< nothing unless they were asked for
   PixelProbe probe;
   std::vector<std::string> notes;  ///< said to the user as they are
 };

@@ -7,6 +7,8 @@
 
 #include "golden/files/ptm_file.h"
 #include "golden/files/ptm_header.h"
+#include "golden/scene/flat_samples.h"
+#include "testbench/run/edge_samples.h"
 #include "testbench/run/light_advice.h"
 #include "testbench/run/picture_models.h"
 #include "testbench/run/pixel_probe.h"
@@ -61,6 +63,21 @@ void add_presets(const FlatJob& job, const ModelResult* reference, RunResult& re
   }
 }
 
+/// Pixels whose sample lies on an edge between texels; empty if none does.
+std::vector<std::uint8_t> flat_edge_pixels(const FlatJob& job) {
+  std::vector<std::uint8_t> on_edge;
+  for (int y = 0; y < job.height; ++y) {
+    for (int x = 0; x < job.width; ++x) {
+      const golden::Sample s = golden::flat_sample(x, y, job.width, job.height, job.lights.front());
+      const bool edge = on_texel_edge(s.u, job.map.width, reference::Wrap::clamp) ||
+                        on_texel_edge(s.v, job.map.height, reference::Wrap::clamp);
+      on_edge.push_back(edge ? 1 : 0);
+    }
+  }
+  if (std::count(on_edge.begin(), on_edge.end(), 1) == 0) on_edge.clear();
+  return on_edge;
+}
+
 const ModelResult* find(const RunResult& result, const std::string& model) {
   const auto found = std::find_if(result.models.begin(), result.models.end(),
                                   [&](const ModelResult& m) { return m.model == model; });
@@ -98,6 +115,7 @@ SceneRun run_scene(const golden::Scene& scene) {
   result.height = job->height;
   for (const golden::Light& light : job->lights) result.lights.push_back({light.u, light.v, 0});
   result.notes.push_back("the map was " + job->hardware.how);
+  result.edge_pixels = flat_edge_pixels(*job);
 
   std::optional<ChildProcess> timing, rtl;  // forked before any thread of this process starts
   if (names(scene, "pipeline")) timing.emplace(start_pipeline(*job));

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "model/reference/unit/shade.h"
+#include "testbench/run/edge_samples.h"
 #include "testbench/run/stopwatch.h"
 #include "testbench/run/unit_probe.h"
 #include "testbench/run/unit_rtl.h"
@@ -97,6 +98,20 @@ void describe_scene(const UnitJob& job, RunResult& result) {
   }
 }
 
+/// Pixels whose point sample lies on an edge between texels; empty if none does.
+std::vector<std::uint8_t> unit_edge_pixels(const UnitJob& job) {
+  const auto width = static_cast<std::size_t>(job.scene.size[0]);
+  std::vector<std::uint8_t> on_edge(width * static_cast<std::size_t>(job.scene.size[1]), 0);
+  bool any = false;
+  for (const golden::SurfaceSample& s : job.frames.front().samples) {
+    if (!on_texel_edge(s.u, s.v, job.state.draws[static_cast<std::size_t>(s.draw)])) continue;
+    on_edge[static_cast<std::size_t>(s.y) * width + static_cast<std::size_t>(s.x)] = 1;
+    any = true;
+  }
+  if (!any) on_edge.clear();
+  return on_edge;
+}
+
 using Children = std::vector<std::pair<std::string, ChildProcess>>;
 
 /// The timed models that the scene names, and loose beside the timing exact.
@@ -144,6 +159,7 @@ SceneRun run_unit_scene(const golden::UnitScene& scene) {
   run.unit = job->unit;
   RunResult& result = run.result;
   describe_scene(*job, result);
+  result.edge_pixels = unit_edge_pixels(*job);
   Children children = start_timed_models(*job);
   if (names(scene, "golden")) result.models.push_back(render_unit_golden(*job));
   const Stopwatch watch;

@@ -122,6 +122,38 @@ TEST_F(RunCommand, RefusesAMapThatTheHardwareCannotAddress) {
   expect_refused("run " + scene(kLight) + out(), "found 4097 x 1, expected at most 4096");
 }
 
+/// At half its size, every sample of a map is a tie between texels; 1/5 is not exact in 2^-20.
+TEST_F(RunCommand, TellsSamplesOnEdgesBetweenTexelsAndTheErrorWithoutThem) {
+  write_map(golden::MapKind::lrgb, 10, 10);
+  const tests::Outcome outcome =
+      run("run " + scene("[image]\nsize = [5, 5]\n" + kLight) + out() +
+          " --models golden,reference");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json found = report();
+  // The middle column and row lie at 1/2, which is not rounded.
+  EXPECT_EQ(found.at("edge_samples"), (25 - 1) * 3);
+  const json pair = difference(found, "golden", "reference");
+  EXPECT_EQ(pair.at("off_edges").at("samples"), 3);
+  // What is left is the number format's: a few levels at most, where a wrong texel is tens off.
+  EXPECT_LT(pair.at("off_edges").at("max"), 4);
+  EXPECT_GT(pair.at("max"), 4);
+  EXPECT_EQ(found.at("presets").at(1).at("off_edges").at("samples"), 3);
+  EXPECT_NE(outcome.out.find("72 of 75 samples lie on an edge between texels"), std::string::npos)
+      << outcome.out;
+  const std::string page = tests::text_of(file("report") / "report.html");
+  EXPECT_NE(page.find("72 of 75 samples lie on an edge between texels"), std::string::npos);
+  EXPECT_NE(page.find("without samples on edges"), std::string::npos);
+}
+
+TEST_F(RunCommand, SaysNothingOfEdgesWhereNoSampleLiesOnOne) {
+  write_map(golden::MapKind::lrgb, 10, 10);
+  const tests::Outcome outcome = run("run " + scene(kLight) + out() + " --models golden,reference");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(report().at("edge_samples"), 0);
+  EXPECT_TRUE(difference(report(), "golden", "reference").at("off_edges").is_null());
+  EXPECT_EQ(outcome.out.find("on an edge"), std::string::npos);
+}
+
 TEST_F(RunCommand, EndsWithTwoWhenUsedWrongly) {
   EXPECT_EQ(run("run").code, 2);
   EXPECT_EQ(run("run scene.toml --out x --models vulkan").code, 2);
