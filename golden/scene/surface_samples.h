@@ -58,7 +58,8 @@ struct SurfaceSample {
 [[nodiscard]] std::vector<SurfaceSample> make_samples(const UnitScene& scene,
                                                       const LoadedTextures& textures, int frame);
 
-/// What was odd about the files of the scene's meshes, one note each. Throws as make_samples() does.
+/// What was odd about the files of the scene's meshes, one note each. Throws as make_samples()
+/// does.
 [[nodiscard]] std::vector<std::string> mesh_notes(const UnitScene& scene);
 
 /// One pixel of the same; nothing if no object covers it.
