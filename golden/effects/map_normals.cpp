@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "golden/geometry/direction.h"
+
 namespace ptm::golden {
 namespace {
 
@@ -63,6 +65,13 @@ Peak brightest_light(const Coefficients& a) {
   double scale = 0;
   for (std::size_t k = 0; k < 5; ++k) scale = std::max(scale, std::abs(a[k]));
   if (scale == 0) return {};
+  // The maximum's place is that of every multiple; products of far smaller or larger numbers than
+  // maps have would leave the doubles.
+  if (scale > 1e100 || scale < 1e-100) {
+    Coefficients near_one{};
+    for (std::size_t k = 0; k < 5; ++k) near_one[k] = std::ldexp(a[k], -std::ilogb(scale));
+    return brightest_light(near_one);
+  }
   const double determinant = 4 * a[0] * a[1] - a[2] * a[2];
   const double curvature = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
   if (determinant > kDegenerate * curvature * curvature) {
@@ -96,9 +105,10 @@ std::array<double, 3> normal_of(const Coefficients& a, const Peak& peak) {
     const auto [u, v] = peak.light;
     return {u, v, std::sqrt(std::max(0.0, 1 - u * u - v * v))};
   }
-  const double w = std::max(0.0, a[5]), length = std::hypot(a[3], a[4], w);
-  if (!(length > 0)) return {0, 0, 1};
-  return {a[3] / length, a[4] / length, w / length};
+  const Eigen::Vector3d whole(a[3], a[4], std::max(0.0, a[5]));
+  if (whole.isZero(0)) return {0, 0, 1};
+  const Eigen::Vector3d normal = unit(whole);
+  return {normal[0], normal[1], normal[2]};
 }
 
 MapNormals map_normals(const LoadedTexture& map) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -93,6 +94,34 @@ std::int32_t to_bias(const HeaderLines& lines, std::string_view word) {
   const auto value = parse_integer(word, Limits::min(), Limits::max());
   if (!value) lines.fail("biases", quoted(word), "a whole number of 32 bits");
   return static_cast<std::int32_t>(*value);
+}
+
+/// Of all bytes that a plane may hold; infinite beyond the largest double.
+double largest_coefficient(const PtmMap& map, std::size_t k) {
+  const double bias = map.bias[k];
+  return std::abs(map.scale[k]) * std::max(std::abs(bias), std::abs(255 - bias));
+}
+
+void check_coefficients(const HeaderLines& lines, const PtmMap& map) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (std::isfinite(largest_coefficient(map, k))) continue;
+    lines.fail("scales and biases",
+               "scale " + std::to_string(k) + " of " + format_real(map.scale[k]) + " with bias " +
+                   std::to_string(map.bias[k]),
+               "a scale whose coefficients, scale (byte - bias), stay below 1.8e308");
+  }
+}
+
+/// A channel of a LUM map is a sum of products with its matrix' row.
+void check_lum_sums(const HeaderLines& lines, const PtmMap& map) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double* row = &map.lum_matrix[c * 4];
+    double sum = 255 * (std::abs(row[0]) + std::abs(row[2])) + std::abs(row[3]);
+    for (std::size_t k = 0; k < 6; ++k) sum += std::abs(row[1]) * largest_coefficient(map, k);
+    if (std::isfinite(sum)) continue;
+    lines.fail("colour matrix", "row " + std::to_string(c) + " with these scales",
+               "numbers whose products with the coefficients stay below 1.8e308");
+  }
 }
 
 void read_scales_and_biases(HeaderLines& lines, PtmHeader& header) {
@@ -262,7 +291,11 @@ PtmHeader parse_ptm_header(std::span<const std::uint8_t> head, const std::string
   read_format(lines, header);
   read_size(lines, header);
   read_scales_and_biases(lines, header);
-  if (header.map.kind == MapKind::lum) read_lum_matrix(lines, header);
+  check_coefficients(lines, header.map);
+  if (header.map.kind == MapKind::lum) {
+    read_lum_matrix(lines, header);
+    check_lum_sums(lines, header.map);
+  }
   if (header.info.coding != Coding::raw) read_planes(lines, header);
   if (lines.saw_crlf()) header.info.notes.emplace_back("header lines end with CR LF");
   header.info.file_bytes = file_bytes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace ptm::golden {
@@ -29,7 +30,7 @@ HpGrid hp_grid(const CoefficientRange& range) {
     }
     int exponent = 0;
     (void)std::frexp(high - low, &exponent);
-    double scale = std::ldexp(1.0, exponent - 8);
+    double scale = std::max(std::ldexp(1.0, exponent - 8), std::numeric_limits<double>::min());
     if (low < 0) {
       while (std::floor(-low / scale + 1) > 255) scale *= 2;
       grid.bias[k] = static_cast<std::int32_t>(std::floor(-low / scale + 1));

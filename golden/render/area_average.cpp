@@ -78,7 +78,10 @@ class Averager {
 
  private:
   static double near_origin(double coordinate, WrapMode mode) {
-    return mode == WrapMode::clamp ? coordinate : coordinate - 2 * std::floor(coordinate / 2);
+    // Further beyond a clamped edge than half of any footprint, nothing but the edge is seen.
+    constexpr double kBeyond = 1000;
+    return mode == WrapMode::clamp ? std::clamp(coordinate, -kBeyond, kBeyond)
+                                   : coordinate - 2 * std::floor(coordinate / 2);
   }
 
   [[nodiscard]] Corner at(double a, double b) const {

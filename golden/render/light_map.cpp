@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace ptm::golden {
 namespace {
@@ -12,10 +14,20 @@ Rgb clamp_to_levels(const Rgb& color) {
   return clamped;
 }
 
+/// A polynomial's value where a square or a product is no double: with a long double's wider
+/// exponents, and at most the largest double, which is beyond every level all the same.
+double far_luminance(const Coefficients& a, double light_u, double light_v) {
+  const long double u = light_u, v = light_v;
+  const long double value =
+      a[0] * (u * u) + a[1] * (v * v) + a[2] * (u * v) + a[3] * u + a[4] * v + a[5];
+  constexpr long double most = std::numeric_limits<double>::max();
+  return static_cast<double>(std::clamp(value, -most, most));
+}
+
 Rgb light_lrgb(const PtmMap& map, std::size_t texel, double u, double v) {
   const double l = luminance(real_coefficients(map, texel), u, v);
   Rgb color{};
-  for (std::size_t c = 0; c < 3; ++c) color[c] = map.color[texel * 3 + c] * l / 255.0;
+  for (std::size_t c = 0; c < 3; ++c) color[c] = colored(map.color[texel * 3 + c], l);
   return color;
 }
 
@@ -49,7 +61,14 @@ Coefficients real_coefficients(const PtmMap& map, std::size_t texel, std::size_t
 }
 
 double luminance(const Coefficients& a, double u, double v) {
-  return a[0] * (u * u) + a[1] * (v * v) + a[2] * (u * v) + a[3] * u + a[4] * v + a[5];
+  const double value =
+      a[0] * (u * u) + a[1] * (v * v) + a[2] * (u * v) + a[3] * u + a[4] * v + a[5];
+  return std::isfinite(value) ? value : far_luminance(a, u, v);
+}
+
+double colored(double color, double value) {
+  const double product = color * value;
+  return std::isfinite(product) ? product / 255 : color / 255 * value;
 }
 
 Rgb light_texel(const PtmMap& map, std::size_t texel, double u, double v) {
@@ -77,7 +96,8 @@ Image8 to_8_bit(const ImageReal& image, Rounding8 rounding) {
   Image8 bytes(image.width, image.height, image.channels);
   const double half = rounding == Rounding8::nearest ? 0.5 : 0.0;
   std::transform(image.samples.begin(), image.samples.end(), bytes.samples.begin(), [&](double x) {
-    return static_cast<std::uint8_t>(std::floor(std::min(x + half, 255.0)));
+    if (std::isnan(x)) throw std::invalid_argument("a picture's sample that is no number");
+    return static_cast<std::uint8_t>(std::floor(std::clamp(x + half, 0.0, 255.0)));
   });
   return bytes;
 }

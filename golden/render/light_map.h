@@ -19,7 +19,12 @@ using Rgb = std::array<double, 3>;
                                              std::size_t polynomial = 0);
 
 /// Eq. 5: a0 u^2 + a1 v^2 + a2 uv + a3 u + a4 v + a5, terms added in that order.
+/// Of finite numbers a finite one: where a square, a product or a sum is beyond the largest double,
+/// the exact value's side of it decides, and the result is at most the largest double in size.
 [[nodiscard]] double luminance(const Coefficients& a, double u, double v);
+
+/// color * value / 255, the share of 255 that a colour leaves of a value; infinite only if that is.
+[[nodiscard]] double colored(double color, double value);
 
 /// The lit colour of one texel, each channel clamped to [0, 255] and not rounded.
 ///
@@ -39,7 +44,7 @@ enum class Rounding8 : std::uint8_t {
   truncate  ///< floor(x), as RTIViewer does
 };
 
-/// 8-bit samples of a real-valued picture whose samples lie in [0, 255].
+/// 8-bit samples of a real-valued picture, limited to [0, 255]. std::invalid_argument for NaN.
 [[nodiscard]] Image8 to_8_bit(const ImageReal& image, Rounding8 rounding = Rounding8::nearest);
 
 }  // namespace ptm::golden

@@ -24,7 +24,7 @@ MipLevel radiated(const LoadedTexture& texture) {
       for (std::size_t k = 0; k < 6; ++k) {
         level.values.push_back(texture.polynomials == 3
                                    ? texture.coef[(t * 3 + c) * 6 + k]
-                                   : texture.color[t * 3 + c] * texture.coef[t * 6 + k] / 255);
+                                   : colored(texture.color[t * 3 + c], texture.coef[t * 6 + k]));
       }
     }
   }
@@ -107,7 +107,7 @@ Rgba MipTexture::texel(int level, int i, int j, const std::array<double, 2>& lig
   const auto [lu, lv] = light;
   if (level == 0 && texture_->polynomials == 1) {
     const double l = luminance(polynomial(texture_->coef, t * 6), lu, lv);
-    for (std::size_t c = 0; c < 3; ++c) out[c] = clamped(texture_->color[t * 3 + c] * l / 255.0);
+    for (std::size_t c = 0; c < 3; ++c) out[c] = clamped(colored(texture_->color[t * 3 + c], l));
     return out;
   }
   const auto& values =

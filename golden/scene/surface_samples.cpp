@@ -117,13 +117,16 @@ Vec3 moved(const Seen& seen, const Ray& ray, const Ray& change) {
 void set_derivatives(const Seen& seen, const PixelRay& ray, SurfaceSample& sample) {
   const ObjectSpec& spec = seen.object->spec();
   const double turn = seen.object->turn().value_or(kLargestDerivative);
+  // A sum of parts beyond all numbers, of both signs, is steep in some direction.
+  const auto limited = [](double d, double most) {
+    return std::isnan(d) ? most : std::clamp(d, -most, most);
+  };
   const auto du = [&](const Vec3& dp) {
-    const double d = std::clamp(seen.point.gradient_u.dot(dp), -turn, turn) * spec.uv_scale[0];
-    return std::clamp(d, -kLargestDerivative, kLargestDerivative);
+    const double d = limited(seen.point.gradient_u.dot(dp), turn) * spec.uv_scale[0];
+    return limited(d, kLargestDerivative);
   };
   const auto dv = [&](const Vec3& dp) {
-    return std::clamp(seen.point.gradient_v.dot(dp) * spec.uv_scale[1], -kLargestDerivative,
-                      kLargestDerivative);
+    return limited(seen.point.gradient_v.dot(dp) * spec.uv_scale[1], kLargestDerivative);
   };
   const Vec3 right = moved(seen, ray.ray, ray.dx), down = moved(seen, ray.ray, ray.dy);
   sample.dudx = du(right);

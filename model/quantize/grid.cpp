@@ -43,12 +43,13 @@ struct Block {
 
 PTM_QUANTIZE_WIDE void measure(const double* values, std::size_t count, double scale, double last,
                                Block& block) {
-  // Far outside every window the exact distance no longer decides; squares must stay finite.
+  // Far outside every window the exact distance no longer decides; squares must stay finite. The
+  // value itself is limited, not the scaled one: what saturates at every shift must cost less at a
+  // coarse one, whose windows reach further.
   constexpr double kFar = 0x1p40;
   for (std::size_t t = 0; t < count; ++t) {
-    const double scaled = values[t] * scale;
-    const double raised = scaled > -kFar ? scaled : -kFar;
-    const double x = raised < kFar ? raised : kFar;
+    const double raised = values[t] > -kFar ? values[t] : -kFar;
+    const double x = (raised < kFar ? raised : kFar) * scale;
     const double rounded = std::floor(x + 0.5);
     const double first = rounded > -last ? rounded : -last;
     block.bin[t] = static_cast<std::int32_t>((first < last ? first : last) + last);

@@ -245,7 +245,12 @@ void convert(const ConvertOptions& options) {
   Json steps = Json::array();
   crop(options, input.map, steps);
   const std::size_t unchanging = steps.size();
-  const golden::PtmMap map = apply_steps(input.map, options, steps);
+  golden::PtmMap map;
+  try {
+    map = apply_steps(input.map, options, steps);
+  } catch (const golden::InputError& error) {
+    throw golden::InputError(options.input, error.place(), error.found(), error.expected());
+  }
   Json report;
   std::deque<golden::PendingFile> files;  // all levels appear, or none
   std::vector<std::string> stale;

@@ -61,7 +61,8 @@ void choose_preset(FlatJob& job, const std::string& preset, const std::string& p
   }
   job.preset = preset;
   check_hardware_limits(job, job.config);
-  job.hardware = store_map(job.map, job.config);
+  job.hardware =
+      store_map(job.map, job.config, quantize::Method::nearest_plane, job.map_file.string());
 }
 
 reference::Fragment make_fragment(const FlatJob& job, const reference::EvalConfig& config,

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "golden/files/input_error.h"
 #include "golden/render/light_map.h"
 
 namespace ptm::testbench {
@@ -120,8 +121,21 @@ QuantizerInput quantizer_input(const PtmMap& map, const reference::EvalConfig& c
   return input;
 }
 
+void require_held(double rms_error, const std::string& file) {
+  constexpr double levels = 255;
+  if (rms_error <= levels) return;
+  std::ostringstream change;
+  change.precision(3);
+  change
+      << "coefficients that are not in the hardware's range: the nearest that it holds change the "
+         "luminance by "
+      << rms_error << " levels rms";
+  throw golden::InputError(file, "scales", change.str(),
+                           "a change of at most 255, a picture's range");
+}
+
 HardwareMap store_map(const PtmMap& map, const reference::EvalConfig& config,
-                      quantize::Method method) {
+                      quantize::Method method, const std::string& file) {
   HardwareMap hardware;
   StoredTexture& texture = hardware.texture;
   texture.width = map.width;
@@ -138,6 +152,7 @@ HardwareMap store_map(const PtmMap& map, const reference::EvalConfig& config,
   quantize::StoredMap stored = quantize::quantize(
       {map.width, map.height, static_cast<int>(input.real.polynomials), input.real.coef}, config,
       method, quantize::hemisphere_gram());
+  require_held(stored.rms_error, file);
   hardware.origin = stored.origin;
   hardware.how = describe(stored, input.balance, import.why_not);
   texture.color = std::move(input.color);

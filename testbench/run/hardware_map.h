@@ -45,13 +45,20 @@ struct QuantizerInput {
 [[nodiscard]] QuantizerInput quantizer_input(const golden::PtmMap& map,
                                              const reference::EvalConfig& config);
 
+/// Throws InputError (`file`) if storing a map changed the luminance by more than all of a
+/// picture's levels, as root mean square: then its coefficients are outside of what the hardware
+/// can hold, and its picture would have nothing to do with the map's.
+void require_held(double rms_error, const std::string& file);
+
 /// Lights to balance luminance for: 256 directions down to the horizon, (lu, lv).
 [[nodiscard]] std::vector<std::array<double, 2>> hemisphere_lights();
 
 /// Stores a map for a configuration: verbatim where the file allows it, otherwise quantised by
-/// `method` over lights spread evenly on the hemisphere.
+/// `method` over lights spread evenly on the hemisphere. Throws InputError (`file`) as
+/// require_held() does.
 [[nodiscard]] HardwareMap store_map(const golden::PtmMap& map, const reference::EvalConfig& config,
-                                    quantize::Method method = quantize::Method::nearest_plane);
+                                    quantize::Method method = quantize::Method::nearest_plane,
+                                    const std::string& file = "the map");
 
 /// A stored map as a file's map, scale 2^-shift, so that store_map() takes it verbatim.
 /// Requires coefficients of at most 8 bits (std::invalid_argument); the colour as PtmMap wants it.

@@ -66,6 +66,7 @@ Held hold(const PtmMap& map, const EvalConfig& config,
   held.stored =
       store({map.width, map.height, static_cast<int>(held.real.polynomials), held.real.coef},
             config, dither);
+  require_held(held.stored.rms_error, "the map");
   held.how = "quantised because " + import.why_not + "; " + describe(held.stored);
   if (input.balance.scaled > 0) {
     held.how += "; colour scaled up and luminance down in " + std::to_string(input.balance.scaled) +
@@ -85,6 +86,7 @@ SteppedMap to_rgb_map(const PtmMap& map, const EvalConfig& config, quantize::Dit
   if (map.kind != MapKind::lrgb) return hold_map(map, config, dither);
   const RealCoefficients rgb = rgb_polynomials(map);
   const quantize::StoredMap stored = store({map.width, map.height, 3, rgb.coef}, config, dither);
+  require_held(stored.rms_error, "the map");
   return {to_ptm(stored, MapKind::rgb, {}), "colour multiplied in; " + describe(stored)};
 }
 

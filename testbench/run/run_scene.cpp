@@ -53,13 +53,12 @@ void add_presets(const FlatJob& job, const ModelResult* reference, RunResult& re
     }
     try {
       check_hardware_limits(job, preset.config);
+      result.presets.push_back(
+          {name, reference_frames(job, preset.config, store_map(job.map, preset.config))});
     } catch (const golden::InputError& error) {
       result.notes.push_back("preset " + name + " is left out of the table: found " +
                              error.found() + ", expected " + error.expected());
-      continue;
     }
-    result.presets.push_back(
-        {name, reference_frames(job, preset.config, store_map(job.map, preset.config))});
   }
 }
 

@@ -63,6 +63,7 @@ UnitMap store_levels(const RealLevels& real, std::optional<quantize::StoredMap> 
   const quantize::Grid grid{top->bias, top->shift};
   UnitMap map;
   take_grid(grid, map);
+  map.rms_error = top->rms_error;
   map.saturated = std::accumulate(top->saturated.begin(), top->saturated.end(), std::uint64_t{0});
   for (std::size_t l = 0; l < real.levels.size(); ++l) {
     const quantize::StoredMap stored =
@@ -141,6 +142,7 @@ UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,
   const auto texels = static_cast<int>(flat.coef.size()) / (6 * polynomials);
   PalettizedMap made = palettize({texels, 1, polynomials, flat.coef}, flat.color,
                                  {.entries = entries}, config, strength);
+  map.rms_error = made.table.rms_error;
   take_grid({made.table.bias, made.table.shift}, map);
   map.palette = std::move(made.table.coef);
   auto index = made.palette.index.begin();

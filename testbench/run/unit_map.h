@@ -27,6 +27,7 @@ struct UnitMap {
   std::vector<reference::StoredPaletteMap> indexed;
   std::vector<std::uint16_t> palette;  ///< [entry][6 or 18] stored coefficients
   reference::Six<reference::Value> bias{}, shift{};
+  double rms_error = 0;         ///< of level 0 as stored, or of a palette's entries
   std::uint64_t saturated = 0;  ///< coefficients of level 0 that the grid does not reach
   std::string how;              ///< one sentence for the user
 };

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "testbench/run/hardware_map.h"
 #include "testbench/run/unit_job.h"
 #include "testbench/run/unit_map.h"
 
@@ -192,6 +193,12 @@ class StateBuilder {
     } else {
       held.map = store_unit_map(real_texture(texture(index)), levels_of(index), config_, strength);
       held.placed = placed_map(held.map, held.map.rgb ? TextureFormat::rgb : TextureFormat::lrgb);
+    }
+    const golden::TextureSpec& spec = scene_.textures[static_cast<std::size_t>(index)];
+    try {
+      require_held(held.map.rms_error, texture(index).name);
+    } catch (const InputError& error) {
+      refuse(spec, error.found(), error.expected());
     }
     notes_.push_back("texture " + texture(index).name + ": " + held.map.how);
     note_saturation(texture(index).name, held.map);

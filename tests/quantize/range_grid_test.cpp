@@ -66,5 +66,18 @@ TEST(RangeGrid, TakesTheCoarsestShiftForValuesTooLargeAndRefusesNone) {
                std::invalid_argument);
 }
 
+TEST(BestShift, IsTheCoarsestForValuesBeyondEveryShift) {
+  // Of both signs and beyond the limit to which distances are told apart: coarser windows reach
+  // further, so each of them saturates less.
+  const EvalConfig config;
+  for (const double size : {1e5, 1e9, 1e12, 1e15, 1e100, 1e300}) {
+    std::vector<double> real = synthetic_coefficients(8, 8, 3);
+    for (double& a : real) a *= size;
+    const StoredMap stored =
+        quantize(view(real, 8, 8), config, Method::nearest_plane, hemisphere_gram());
+    for (const int shift : stored.shift) EXPECT_EQ(shift, config.shift_min) << size;
+  }
+}
+
 }  // namespace
 }  // namespace ptm::quantize
