@@ -1,4 +1,5 @@
 // The steps of `ptmsim convert`, and what `ptmsim info` says of presets, as a user meets them.
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "golden/files/ptm_file.h"
@@ -92,15 +93,30 @@ TEST_F(ConvertCommand, RefusesOptionsThatDoNotGoTogetherAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out.ptm"));
 }
 
-TEST_F(ConvertCommand, EndsWithAMapWhateverScalesAFileHas) {
+constexpr std::array kStepsThatQuantise{"--palette 8", "--kind rgb", "--mip",
+                                        "--preset paper8 --dither diffused"};
+
+TEST_F(ConvertCommand, EndsWithAMapHoweverSmallItsScalesAre) {
   for (const MapKind kind : {MapKind::lrgb, MapKind::rgb}) {
     golden::PtmMap map = smooth_map(kind, 12, 9);
-    map.scale = {1e300, -1e300, 1e-300, 1e308, 5, 1e-9};
-    for (const char* steps : {"--palette 8", "--kind rgb", "--mip",
-                              "--preset paper8 --dither "
-                              "diffused"}) {
+    map.scale = {1e-300, -1e-300, 1e-308, 0.5, -1, 1e-9};
+    for (const char* steps : kStepsThatQuantise) {
       const Outcome outcome = convert(steps, map);
       EXPECT_EQ(outcome.code, 0) << steps << outcome.err;
+    }
+  }
+}
+
+TEST_F(ConvertCommand, RefusesScalesWhoseCoefficientsTheHardwareCannotHold) {
+  for (const double scale : {1e12, -1e100, 1e300}) {
+    golden::PtmMap map = smooth_map(MapKind::lrgb, 12, 9);
+    map.scale[3] = scale;
+    for (const char* steps : kStepsThatQuantise) {
+      std::filesystem::remove(folder / "out.ptm");
+      const Outcome outcome = convert(steps, map);
+      EXPECT_EQ(outcome.code, 3) << steps << ' ' << scale;
+      EXPECT_NE(outcome.err.find("not in the hardware's range"), std::string::npos) << outcome.err;
+      EXPECT_FALSE(std::filesystem::exists(folder / "out.ptm")) << steps;
     }
   }
 }
