@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/render/texture_filter.h"
 #include "tests/golden/made_effects.h"
 
 namespace ptm::golden {
@@ -79,8 +80,8 @@ TEST_F(Effects, AddTheSpecularTermOfTheMapsOwnPolynomial) {
   prepare(kStuds + kSquare + effect("half-vector", "ks = 0.3\nexponent = 7\n") + local(0.5, 0.3));
   int bright = 0;
   for (const SurfaceSample& s : samples_) {
-    const std::size_t x = static_cast<std::size_t>(s.u * 24),
-                      y = static_cast<std::size_t>(s.v * 24);
+    const auto x = static_cast<std::size_t>(point_texel(s.u, 24, WrapMode::clamp));
+    const auto y = static_cast<std::size_t>(point_texel(s.v, 24, WrapMode::clamp));
     const double* a = &textures_[0].coef[(y * 24 + x) * 6];
     const auto [u, v] = s.half;
     const double dot = std::clamp(
@@ -119,8 +120,8 @@ TEST_F(Effects, EnhanceWithTheNormalsOfTheMap) {
   EXPECT_EQ(extras_[0].passes.size(), 1U);
   int near = 0, counted = 0;
   for (const SurfaceSample& s : samples_) {
-    const std::size_t x = static_cast<std::size_t>(s.u * 24),
-                      y = static_cast<std::size_t>(s.v * 24);
+    const auto x = static_cast<std::size_t>(point_texel(s.u, 24, WrapMode::clamp));
+    const auto y = static_cast<std::size_t>(point_texel(s.v, 24, WrapMode::clamp));
     // Eq. 16-18 and Eq. 8 by themselves.
     const double* a = &textures_[0].coef[(y * 24 + x) * 6];
     const double d = 4 * a[0] * a[1] - a[2] * a[2];

@@ -268,7 +268,8 @@ TEST_F(UnitPicture, RefusesTexturesThatHardwareCannotHold) {
             "line 1 (texture[0])|a palette of 257 entries|at most 256 for an LRGB map");
   EXPECT_EQ(complain("ptm = \"m.ptm\"\npalette = true\n"), "nothing");
   write_picture(folder_ / "wide.png", Image8(4097, 1, 1));
-  EXPECT_EQ(complain("bump = \"wide.png\"\n"), "size|4097 x 1|at most 4096 texels a side");
+  EXPECT_EQ(complain("bump = \"wide.png\"\n"),
+            "size of texture 'm'|4097 x 1 texels|at most 4096 a side; make the picture smaller");
 }
 
 }  // namespace

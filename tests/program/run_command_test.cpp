@@ -119,15 +119,16 @@ TEST_F(RunCommand, RefusesASceneWithAFaultAndLeavesNothingBehind) {
 
 TEST_F(RunCommand, RefusesAMapThatTheHardwareCannotAddress) {
   write_map(golden::MapKind::lrgb, 4097, 1);
-  expect_refused("run " + scene(kLight) + out(), "found 4097 x 1, expected at most 4096");
+  expect_refused(
+      "run " + scene(kLight) + out(),
+      "found 4097 x 1 texels, expected at most 4096 a side in the hardware; `ptmsim convert");
 }
 
 /// At half its size, every sample of a map is a tie between texels; 1/5 is not exact in 2^-20.
 TEST_F(RunCommand, TellsSamplesOnEdgesBetweenTexelsAndTheErrorWithoutThem) {
   write_map(golden::MapKind::lrgb, 10, 10);
-  const tests::Outcome outcome =
-      run("run " + scene("[image]\nsize = [5, 5]\n" + kLight) + out() +
-          " --models golden,reference");
+  const tests::Outcome outcome = run("run " + scene("[image]\nsize = [5, 5]\n" + kLight) + out() +
+                                     " --models golden,reference");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json found = report();
   // The middle column and row lie at 1/2, which is not rounded.

@@ -104,9 +104,9 @@ TEST_F(UnitRunCommand, RefusesATextureThatTheUnitCannotAddress) {
       "[[texture]]\nname = \"m\"\npicture = \"wide.png\"\n[[object]]\nkind = \"plane\"\n"
       "color = \"m\"\n" +
           kLight,
-      "wide.png: size: found 4097 x 1, expected at most 4096 texels a side");
+      "wide.png: size of texture 'm': found 4097 x 1 texels, expected at most 4096 a side");
   refused("[[texture]]\nname = \"m\"\nbump = \"wide.png\"\n" + kPlane + kLight,
-          "wide.png: size: found 4097 x 1, expected at most 4096 texels a side");
+          "wide.png: size of texture 'm': found 4097 x 1 texels, expected at most 4096 a side");
 }
 
 TEST_F(UnitRunCommand, RefusesALightThatThePresetCannotExpressNamingIt) {
