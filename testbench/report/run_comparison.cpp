@@ -161,11 +161,12 @@ std::string edge_sentence(const RunComparison& comparison, const PairDifference&
   if (comparison.edge_samples == 0) return {};
   const std::string text =
       grouped(comparison.edge_samples) + " of " + grouped(pair.difference.samples) +
-      " samples lie on an edge between texels, where the hardware's coordinate, rounded to 2^-20, "
-      "may take the other texel than golden; ";
-  if (!pair.off_edges) return text + "no sample is left without them";
-  return text + "without them " + pair.b + " against golden has " +
-         decibels(pair.off_edges->psnr_db) + ", at most " + levels(pair.off_edges->max) + " levels";
+      " samples lie on an edge between texels: the hardware rounds their coordinates to 2^-20 and "
+      "may read the texel on the other side of the edge than golden. ";
+  if (!pair.off_edges) return text + "No other sample is left to compare.";
+  return text + "Without these samples, the PSNR of " + pair.b + " against golden is " +
+         decibels(pair.off_edges->psnr_db) + " and the largest error " +
+         levels(pair.off_edges->max) + " levels.";
 }
 
 RunComparison compare_run(const RunResult& result) {

@@ -1,5 +1,6 @@
 #include "testbench/run/edge_samples.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/reference/fragment.h"
@@ -7,8 +8,16 @@
 namespace ptm::testbench {
 namespace {
 
-bool on_edge_of(double u, double v, int width, int height, const reference::Draw& draw) {
-  return on_texel_edge(u, width, draw.wrap_u) || on_texel_edge(v, height, draw.wrap_v);
+/// In the level that `lod` lies in and the next.
+bool on_edge_of(double u, double v, double lod, const reference::TextureLevels& texture,
+                const reference::Draw& draw) {
+  const int last = draw.mip == reference::Mip::none ? 0 : texture.levels - 1;
+  const int first = static_cast<int>(std::clamp(std::floor(lod), 0.0, static_cast<double>(last)));
+  for (int level = first; level <= std::min(first + 1, last); ++level) {
+    if (on_texel_edge(u, texture.level_width(level), draw.wrap_u)) return true;
+    if (on_texel_edge(v, texture.level_height(level), draw.wrap_v)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -29,12 +38,12 @@ bool on_texel_edge(double coordinate, int size, reference::Wrap wrap) {
   return size > 1;
 }
 
-bool on_texel_edge(double u, double v, const reference::Draw& draw) {
+bool on_texel_edge(double u, double v, double lod, const reference::Draw& draw) {
   if (draw.bilinear) return false;
-  const bool map = draw.format != reference::TextureFormat::none &&
-                   on_edge_of(u, v, draw.map.width, draw.map.height, draw);
-  return map || (draw.color &&
-                 on_edge_of(u, v, draw.color_texture.width, draw.color_texture.height, draw));
+  const double color_lod = lod + std::ldexp(static_cast<double>(draw.color_lod), -8);
+  const bool map =
+      draw.format != reference::TextureFormat::none && on_edge_of(u, v, lod, draw.map, draw);
+  return map || (draw.color && on_edge_of(u, v, color_lod, draw.color_texture, draw));
 }
 
 }  // namespace ptm::testbench

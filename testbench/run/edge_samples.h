@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <vector>
 
 #include "model/reference/unit/draw.h"
 
@@ -17,7 +16,8 @@ namespace ptm::testbench {
 /// are no multiple of size, since on both sides of such a one lies the same texel.
 [[nodiscard]] bool on_texel_edge(double coordinate, int size, reference::Wrap wrap);
 
-/// The same for the point samples of a draw, of its map and of its colour texture.
-[[nodiscard]] bool on_texel_edge(double u, double v, const reference::Draw& draw);
+/// The same for a draw's point samples at (u, v), of its map and of its colour texture; with mip
+/// levels, in either of the two levels around `lod`, log2 of texels of level 0.
+[[nodiscard]] bool on_texel_edge(double u, double v, double lod, const reference::Draw& draw);
 
 }  // namespace ptm::testbench

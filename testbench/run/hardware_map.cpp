@@ -121,17 +121,22 @@ QuantizerInput quantizer_input(const PtmMap& map, const reference::EvalConfig& c
   return input;
 }
 
-void require_held(double rms_error, const std::string& file) {
+std::string beyond_hardware(double rms_error) {
   constexpr double levels = 255;
-  if (rms_error <= levels) return;
+  if (rms_error <= levels) return {};
   std::ostringstream change;
   change.precision(3);
   change
       << "coefficients that are not in the hardware's range: the nearest that it holds change the "
          "luminance by "
-      << rms_error << " levels rms";
-  throw golden::InputError(file, "scales", change.str(),
-                           "a change of at most 255, a picture's range");
+      << rms_error << " levels RMS";
+  return change.str();
+}
+
+void require_held(double rms_error, const std::string& file) {
+  const std::string change = beyond_hardware(rms_error);
+  if (change.empty()) return;
+  throw golden::InputError(file, "scales", change, "a change of at most 255, a picture's range");
 }
 
 HardwareMap store_map(const PtmMap& map, const reference::EvalConfig& config,

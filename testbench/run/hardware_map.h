@@ -45,6 +45,10 @@ struct QuantizerInput {
 [[nodiscard]] QuantizerInput quantizer_input(const golden::PtmMap& map,
                                              const reference::EvalConfig& config);
 
+/// What to say if storing a map changed the luminance by more than a picture's 255 levels, as root
+/// mean square; empty if not.
+[[nodiscard]] std::string beyond_hardware(double rms_error);
+
 /// Throws InputError (`file`) if storing a map changed the luminance by more than all of a
 /// picture's levels, as root mean square: then its coefficients are outside of what the hardware
 /// can hold, and its picture would have nothing to do with the map's.

@@ -104,7 +104,8 @@ std::vector<std::uint8_t> unit_edge_pixels(const UnitJob& job) {
   std::vector<std::uint8_t> on_edge(width * static_cast<std::size_t>(job.scene.size[1]), 0);
   bool any = false;
   for (const golden::SurfaceSample& s : job.frames.front().samples) {
-    if (!on_texel_edge(s.u, s.v, job.state.draws[static_cast<std::size_t>(s.draw)])) continue;
+    if (!on_texel_edge(s.u, s.v, s.lod, job.state.draws[static_cast<std::size_t>(s.draw)]))
+      continue;
     on_edge[static_cast<std::size_t>(s.y) * width + static_cast<std::size_t>(s.x)] = 1;
     any = true;
   }

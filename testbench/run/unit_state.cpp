@@ -194,12 +194,9 @@ class StateBuilder {
       held.map = store_unit_map(real_texture(texture(index)), levels_of(index), config_, strength);
       held.placed = placed_map(held.map, held.map.rgb ? TextureFormat::rgb : TextureFormat::lrgb);
     }
-    try {
-      require_held(held.map.rms_error, texture(index).name);
-    } catch (const InputError& error) {
-      // Effects may ask for such coefficients, and what is beyond white is white all the same.
-      notes_.push_back("texture " + texture(index).name + ": " + error.found());
-    }
+    // Not refused: an effect may ask for such coefficients, and what is above white stays white.
+    const std::string beyond = beyond_hardware(held.map.rms_error);
+    if (!beyond.empty()) notes_.push_back("texture " + texture(index).name + ": " + beyond);
     notes_.push_back("texture " + texture(index).name + ": " + held.map.how);
     note_saturation(texture(index).name, held.map);
     return held_.emplace(std::pair(index, strength), std::move(held)).first->second;

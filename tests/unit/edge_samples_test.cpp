@@ -57,14 +57,22 @@ TEST(EdgeSamples, OfADrawAreThoseOfPointSamplesInEitherTexture) {
   draw.map.width = draw.map.height = 10;
   draw.color_texture.width = draw.color_texture.height = 3;
   draw.bilinear = false;
-  EXPECT_TRUE(on_texel_edge(0.3, 0.05, draw));
-  EXPECT_TRUE(on_texel_edge(0.05, 0.3, draw));
-  EXPECT_FALSE(on_texel_edge(0.05, 0.05, draw));
-  EXPECT_FALSE(on_texel_edge(1.0 / 3, 0.05, draw)) << "no colour texture is fetched";
+  draw.wrap_u = draw.wrap_v = Wrap::clamp;
+  EXPECT_TRUE(on_texel_edge(0.3, 0.05, 0, draw));
+  EXPECT_TRUE(on_texel_edge(0.05, 0.3, 0, draw));
+  EXPECT_FALSE(on_texel_edge(0.05, 0.05, 0, draw));
+  EXPECT_FALSE(on_texel_edge(1.0 / 3, 0.05, 0, draw)) << "no colour texture is fetched";
   draw.color = true;
-  EXPECT_TRUE(on_texel_edge(1.0 / 3, 0.05, draw));
+  EXPECT_TRUE(on_texel_edge(1.0 / 3, 0.05, 0, draw));
+  draw.color = false;
+  draw.mip = reference::Mip::linear;  // levels of 10, 5, 2 and 1 texels
+  draw.map.levels = 4;
+  EXPECT_TRUE(on_texel_edge(0.7, 0.05, 0, draw));
+  EXPECT_FALSE(on_texel_edge(0.7, 0.05, 1.25, draw)) << "7 tenths part no fifths";
+  EXPECT_TRUE(on_texel_edge(0.4, 0.05, 1.25, draw));
+  EXPECT_FALSE(on_texel_edge(0.4, 0.05, 9, draw)) << "one texel has no edge under clamp";
   draw.bilinear = true;
-  EXPECT_FALSE(on_texel_edge(0.3, 0.3, draw)) << "weights are continuous there";
+  EXPECT_FALSE(on_texel_edge(0.3, 0.3, 0, draw)) << "weights are continuous there";
 }
 
 }  // namespace

@@ -60,6 +60,18 @@ TEST_F(UnitStateOfAScene, GivesAMapLevelsForTheOneDrawWhoseColorAsksForThem) {
   EXPECT_EQ(both.state.draws[0].map, both.state.draws[1].map);
 }
 
+TEST_F(UnitStateOfAScene, SaysWhatStoringCoefficientsBeyondTheHardwareChanges) {
+  const std::string gain = "[[object.effect]]\nkind = \"diffuse-gain\"\ngain = 1000\n";
+  const std::string noise = "[[texture]]\nname = \"m\"\ngenerate = \"noise\"\nsize = [16, 16]\n";
+  const auto says = [](const UnitJob& made) {
+    return std::count_if(made.notes.begin(), made.notes.end(), [](const std::string& note) {
+      return note.find("not in the hardware's range") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(says(job(noise + plane("m"))), 0);
+  EXPECT_EQ(says(job(noise + plane("m") + gain)), 1);
+}
+
 TEST_F(UnitStateOfAScene, NumbersLrgbPalettesInTheOrderOfTheirDraws) {
   const UnitJob made =
       job(map("a", "palette = 4\nseed = 1\n") + map("b", "palette = 9\nseed = 2\n") + plane("b") +
