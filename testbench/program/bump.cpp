@@ -15,6 +15,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
+#include "testbench/program/figures.h"
 #include "testbench/run/hardware_map.h"
 
 namespace ptm::testbench {
@@ -93,11 +94,12 @@ void print_text(const Json& out) {
             << ", from " << out["from"].get<std::string>() << ", fitted over the "
             << out["domain"].get<std::string>() << '\n';
   for (const char* which : {"real", "stored"}) {
-    std::cout << "against max(0, N.L) over the hemisphere, " << which << ": " << out[which]["rmse"]
-              << " levels RMS, max " << out[which]["max"] << '\n';
+    std::cout << "against max(0, N.L) over the hemisphere, " << which << ": "
+              << figure(out[which]["rmse"]) << " levels RMS, max " << figure(out[which]["max"])
+              << '\n';
   }
   std::cout << "RMS by elevation of the light, ten degrees each from the horizon up:";
-  for (const Json& band : out["stored"]["by_elevation"]) std::cout << ' ' << band;
+  for (const Json& band : out["stored"]["by_elevation"]) std::cout << ' ' << figure(band);
   std::cout << '\n';
   for (const Json& note : out["notes"]) std::cout << "note: " << note.get<std::string>() << '\n';
 }

@@ -21,6 +21,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
+#include "testbench/program/figures.h"
 #include "testbench/program/option_checks.h"
 #include "testbench/program/progress.h"
 #include "testbench/program/region_option.h"
@@ -190,20 +191,20 @@ void print_lit(const char* what, const Json& lit) {
     std::cout << "unchanged\n";
     return;
   }
-  std::cout << lit["rmse"] << " levels RMS, " << lit["psnr_db"] << " dB, SSIM " << lit["ssim"]
-            << " (least " << lit["ssim_least"] << "), 99.9 % within " << lit["within_999"]
-            << ", max " << lit["max"] << '\n';
+  std::cout << figure(lit["rmse"]) << " levels RMS, " << figure(lit["psnr_db"]) << " dB, SSIM "
+            << figure(lit["ssim"]) << " (least " << figure(lit["ssim_least"]) << "), 99.9 % within "
+            << figure(lit["within_999"]) << ", max " << figure(lit["max"]) << '\n';
 }
 
 void print_file(const Json& report, const Json& input_bytes) {
   std::cout << report["file"].get<std::string>() << ": " << report["format"].get<std::string>()
             << ", " << report["width"] << " x " << report["height"] << ", " << report["file_bytes"]
-            << " bytes (" << report["payload_bits_per_texel"] << " bits a texel), was "
+            << " bytes (" << figure(report["payload_bits_per_texel"]) << " bits a texel), was "
             << input_bytes << '\n';
   for (const char* part : {"coefficients", "colors"}) {
     const Json& row = report[part];
     std::cout << part << " read back: " << row["differing"] << " of " << row["bytes"]
-              << " bytes differ, max " << row["max"] << ", mean " << row["mean"] << '\n';
+              << " bytes differ, max " << row["max"] << ", mean " << figure(row["mean"]) << '\n';
   }
   if (report.contains("coding_lit")) print_lit("what coding changed", report["coding_lit"]);
   for (const Json& note : report["notes"]) {

@@ -10,6 +10,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
+#include "testbench/program/figures.h"
 #include "testbench/program/fit_job.h"
 #include "testbench/program/progress.h"
 #include "testbench/program/region_option.h"
@@ -142,14 +143,14 @@ Json to_json(const FitArguments& arguments, const FitJob& job, const FitOutcome&
 }
 
 void print_residual(const char* title, const Json& r) {
-  std::cout << title << r["rmse"] << " levels RMSE, " << r["psnr_db"] << " dB, channels "
-            << r["channel_rmse"].dump() << '\n';
+  std::cout << title << figure(r["rmse"]) << " levels RMSE, " << figure(r["psnr_db"])
+            << " dB, channels " << figure(r["channel_rmse"]) << '\n';
 }
 
 void print_text(const Json& out) {
   for (const auto& note : out["notes"]) std::cout << "note: " << note.get<std::string>() << '\n';
   std::cout << out["photographs"] << " photographs of " << out["width"] << " x " << out["height"]
-            << " pixels, rank " << out["rank"] << ", condition " << out["condition"] << '\n'
+            << " pixels, rank " << out["rank"] << ", condition " << figure(out["condition"]) << '\n'
             << out["saturated_samples"] << " saturated samples, " << out["black_texels"]
             << " texels black in every photograph\n";
   print_residual("against the photographs, real-valued: ", out["real_fit"]);
@@ -159,14 +160,14 @@ void print_text(const Json& out) {
     print_residual("held-out photographs, as stored:      ", out["held_out"]["stored_fit"]);
   }
   if (!out["leave_one_out_rmse"].is_null()) {
-    std::cout << "leave-one-out, of what is fitted:     " << out["leave_one_out_rmse"]
+    std::cout << "leave-one-out, of what is fitted:     " << figure(out["leave_one_out_rmse"])
               << " levels RMSE\n";
   }
   std::cout << "stored by " << out["method"].get<std::string>() << " for "
-            << out["preset"].get<std::string>() << ": scale " << out["scale"].dump() << ", bias "
-            << out["bias"].dump() << ", saturated " << out["saturated"].dump() << ", "
-            << out["quantization_rms"] << " levels RMS, " << out["quantization_worst"]
-            << " in the texel that lost most\n"
+            << out["preset"].get<std::string>() << ": scale " << figure(out["scale"]) << ", bias "
+            << figure(out["bias"]) << ", saturated " << figure(out["saturated"]) << ", "
+            << figure(out["quantization_rms"]) << " levels RMS, "
+            << figure(out["quantization_worst"]) << " in the texel that lost most\n"
             << "map: " << out["map"].get<std::string>() << '\n';
 }
 
