@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace ptm::testbench {
 namespace {
@@ -22,37 +22,56 @@ long wrapped(long k, long size, Wrap wrap) {
   return within < size ? within : period - 1 - within;
 }
 
-/// Whether the texels just below and just above (2x + 1) / (2 width), each within the rounding of
-/// 2^-20, are different ones; exactly, in units of 1 / (2 width 2^21).
-bool may_change(long x, long width, long size, Wrap wrap) {
-  const long coordinate = (2 * x + 1) << 21, unit = 2 * width, whole = unit << 21;
-  if (((2 * x + 1) << 20) % unit == 0) return false;
-  const long below = floor_division((coordinate - unit) * size - 1, whole);
-  const long above = floor_division((coordinate + unit) * size, whole);
+/// Whether the texels just below and just above n / d, each within the rounding of 2^-20, are
+/// different ones; exactly, in units of 1 / (d 2^21).
+bool may_change(long n, long d, long size, Wrap wrap) {
+  const long coordinate = n << 21, whole = d << 21;
+  if ((n << 20) % d == 0) return false;
+  const long below = floor_division((coordinate - d) * size - 1, whole);
+  const long above = floor_division((coordinate + d) * size, whole);
   return wrapped(below, size, wrap) != wrapped(above, size, wrap);
 }
 
-TEST(EdgeSamples, AreThoseWhoseRoundingReachesAnotherTexelByExactIntegers) {
-  int on_edge = 0, off_edge = 0;
-  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp}) {
-    for (const int size : {1, 2, 3, 10, 64, 500}) {
-      for (const int width : {1, 3, 5, 7, 32, 100, 250, 499}) {
-        for (int x = -2 * width; x < 3 * width; ++x) {
-          const double u = (x + 0.5) / width;
-          const bool expected = may_change(x, width, size, wrap);
-          EXPECT_EQ(on_texel_edge(u, size, wrap), expected)
-              << "wrap " << static_cast<int>(wrap) << ", " << size << " texels, sample " << x
-              << " of " << width;
-          ++(expected ? on_edge : off_edge);
-        }
-      }
+class EdgeSamples : public testing::TestWithParam<Wrap> {
+ protected:
+  void expect_exact(long n, long d, int size) {
+    const bool expected = may_change(n, d, size, GetParam());
+    EXPECT_EQ(on_texel_edge(static_cast<double>(n) / static_cast<double>(d), size, GetParam()),
+              expected)
+        << size << " texels, coordinate " << n << " / " << d;
+    ++(expected ? on_edge_ : off_edge_);
+  }
+  int on_edge_ = 0, off_edge_ = 0;
+};
+
+/// Pixel centres of pictures of other sizes: on an edge or far from all.
+TEST_P(EdgeSamples, AreThoseWhoseRoundingReachesAnotherTexelByExactIntegers) {
+  for (const int size : {1, 2, 3, 10, 64, 500}) {
+    for (const int width : {1, 3, 5, 7, 32, 100, 250, 499}) {
+      for (int x = -2 * width; x < 3 * width; ++x) expect_exact(2 * x + 1, 2 * width, size);
     }
   }
-  EXPECT_GT(on_edge, 1000);
-  EXPECT_GT(off_edge, 1000);
+  EXPECT_GT(on_edge_, 100);
+  EXPECT_GT(off_edge_, 1000);
 }
 
-TEST(EdgeSamples, OfADrawAreThoseOfPointSamplesInEitherTexture) {
+/// Every sixteenth of 2^-20 around every edge, to beyond where rounding reaches.
+TEST_P(EdgeSamples, EndWhereRoundingReachesNoEdge) {
+  constexpr long kSteps = 1L << 24;
+  for (const int size : {3, 10, 64, 500}) {
+    for (long edge = -size; edge <= 2 * size; ++edge) {
+      const long nearest = floor_division(2 * edge * kSteps + size, 2 * size);
+      for (long off = -12; off <= 12; ++off) expect_exact(nearest + off, kSteps, size);
+    }
+  }
+  EXPECT_GT(on_edge_, 1000);
+  EXPECT_GT(off_edge_, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Wraps, EdgeSamples,
+                         testing::Values(Wrap::repeat, Wrap::mirror, Wrap::clamp));
+
+TEST(EdgeSamplesOfADraw, AreThoseOfPointSamplesInEitherTexture) {
   reference::Draw draw;
   draw.map.width = draw.map.height = 10;
   draw.color_texture.width = draw.color_texture.height = 3;
@@ -71,6 +90,9 @@ TEST(EdgeSamples, OfADrawAreThoseOfPointSamplesInEitherTexture) {
   EXPECT_FALSE(on_texel_edge(0.7, 0.05, 1.25, draw)) << "7 tenths part no fifths";
   EXPECT_TRUE(on_texel_edge(0.4, 0.05, 1.25, draw));
   EXPECT_FALSE(on_texel_edge(0.4, 0.05, 9, draw)) << "one texel has no edge under clamp";
+  draw.map.width = 7;  // levels of 7 and 3 texels: thirds part the second's only
+  draw.map.levels = 2;
+  EXPECT_TRUE(on_texel_edge(1.0 / 3, 0.05, 0.5, draw));
   draw.bilinear = true;
   EXPECT_FALSE(on_texel_edge(0.3, 0.3, 0, draw)) << "weights are continuous there";
 }
