@@ -31,3 +31,11 @@ function(ptm_system_includes target)
     endif()
   endforeach()
 endfunction()
+
+# ptm_precompiled(target header...) - compiles headers of the standard library and of dependencies
+# once for all of a target's sources. Sources still include what they use.
+function(ptm_precompiled target)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  # A source with other options reads the headers themselves.
+  set_target_properties(${target} PROPERTIES PCH_WARN_INVALID OFF)
+endfunction()
