@@ -1,5 +1,6 @@
 // Drives an evaluator, as written or as a netlist, with vectors of `ptmsim vectors` and compares
-// every pixel. Plain Verilog that iverilog reads; four-state, so an X on an output is a difference.
+// every pixel. Plain Verilog that iverilog and Verilator read; in iverilog, which is four-state, an X
+// on an output is a difference.
 //
 // +vectors=FILE is the CSV of an LRGB run without its header. Operands are offered with gaps and
 // pixels taken with stalls, both by $urandom. The last line says PASS or FAIL and counts.
@@ -67,7 +68,8 @@ module ptm_netlist_tb #(
     got  = 1;
     while (got == 1 && rows < Most) begin
       for (column = 0; column < Columns && got == 1; column = column + 1) begin
-        got = $fscanf(file, column == Columns - 1 ? "%d\n" : "%d,", value);
+        if (column == Columns - 1) got = $fscanf(file, "%d\n", value);
+        else got = $fscanf(file, "%d,", value);
         row[rows*Columns + column] = value;
       end
       if (got == 1) rows = rows + 1;
