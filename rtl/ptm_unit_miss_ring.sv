@@ -2,9 +2,13 @@
 //
 // A rank of up to Tmus lines is pushed at once, into the next slots in the order of TMUs, if as
 // many are free at the cycle's start. Requests leave one a cycle in ring order, the tag is the
-// slot's number. Responses come in any order and are usable in the cycle after; one whose tag is
-// not outstanding is dropped and reported. K commits ranks in ring order, reading up to Tmus
-// slots side by side, and returns a beat's slots together: free from the cycle after (T5).
+// slot's number. Slots are numbered modulo MissFifo rounded up to a multiple of four; at most
+// MissFifo of them are in use. So slots that follow each other lie in different ones of four banks,
+// each a memory with one port to write and one to read.
+//
+// Responses come in any order and are usable in the second cycle after; one whose tag is not
+// outstanding is dropped and reported. K commits ranks in ring order, up to Tmus slots side by
+// side, and returns a beat's slots together: free from the cycle after (T5).
 //
 // The memory may still owe answers to requests from before a reset of the unit. They are counted in
 // a register that only mem_rst_ni resets; until the last one has come nothing is asked for, and
@@ -42,15 +46,22 @@ module ptm_unit_miss_ring #(
   input  logic                 release_i,    // with the beat's last rank, or without misses
   output logic [Tmus*LineWidth-1:0] line_o
 );
-  localparam int SlotBits  = $clog2(MissFifo);
+  localparam int Rows      = (MissFifo + 3) / 4;  // of a bank
+  localparam int RowBits   = Rows == 1 ? 1 : $clog2(Rows);
+  localparam int Slots     = 4 * Rows;
+  localparam int SlotBits  = $clog2(Slots);
   localparam int CountBits = $clog2(MissFifo + 1);
 
-  // Slots wrap at MissFifo, which need not be a power of two
+  // Slots wrap where the banks end, which need not be at a power of two
   function automatic logic [SlotBits-1:0] behind(input logic [SlotBits-1:0] slot,
                                                  input logic [1:0] steps);
     logic [SlotBits:0] sum;
     sum    = {1'b0, slot} + (SlotBits+1)'(steps);
-    behind = SlotBits'(sum >= (SlotBits+1)'(MissFifo) ? sum - (SlotBits+1)'(MissFifo) : sum);
+    behind = SlotBits'(sum >= (SlotBits+1)'(Slots) ? sum - (SlotBits+1)'(Slots) : sum);
+  endfunction
+
+  function automatic logic [RowBits-1:0] row_of(input logic [SlotBits-1:0] slot);
+    row_of = RowBits'(slot >> 2);
   endfunction
 
   // TMU t's place within a rank: how many before it have a line
@@ -61,14 +72,11 @@ module ptm_unit_miss_ring #(
     end
   endfunction
 
-  logic [LineBits-1:0]  address_q [MissFifo];
-  logic [LineWidth-1:0] line_q [MissFifo];
-  logic [MissFifo-1:0]  outstanding_q;  // asked for, not answered
-  logic [MissFifo-1:0]  usable_q;       // answered, not committed
+  logic [Slots-1:0] outstanding_q;  // asked for, not answered
 
   logic [SlotBits-1:0]  tail_q;     // next to be pushed
   logic [SlotBits-1:0]  request_q;  // next to be asked for
-  logic [SlotBits-1:0]  head_q;     // next to be committed
+  logic [1:0]           head_q;     // bank of the next to be committed
   logic [CountBits-1:0] free_q;
   logic [CountBits-1:0] waiting_q;  // pushed, not asked for
   logic [CountBits-1:0] held_q;     // of the beat in K: committed, not returned
@@ -79,22 +87,43 @@ module ptm_unit_miss_ring #(
   assign miss_fits_o = free_q >= CountBits'(pushed);
   logic push;
   assign push = miss_push_i && pushed != 2'd0;
-  for (genvar t = 0; t < Tmus; t++) begin : gen_push
-    always_ff @(posedge clk_i) begin
-      if (push) begin
-        if (miss_valid_i[t]) begin
-          address_q[behind(tail_q, lines_before(miss_valid_i, t))] <=
-              miss_line_i[t*LineBits +: LineBits];
+  // By bank
+  logic [3:0]            address_write;
+  logic [4*RowBits-1:0]  address_row;
+  logic [4*LineBits-1:0] address, asked;
+  always_comb begin
+    address_write = '0;
+    address_row   = '0;
+    address       = '0;
+    if (push) begin
+      for (int b = 0; b < 4; b++) begin
+        for (int t = 0; t < Tmus; t++) begin
+          if (miss_valid_i[t] && 2'(tail_q) + lines_before(miss_valid_i, t) == 2'(b)) begin
+            address_write[b]                   = 1'b1;
+            address_row[b*RowBits +: RowBits]  =
+                row_of(behind(tail_q, lines_before(miss_valid_i, t)));
+            address[b*LineBits +: LineBits]    = miss_line_i[t*LineBits +: LineBits];
+          end
         end
       end
     end
+  end
+  for (genvar b = 0; b < 4; b++) begin : gen_address
+    ptm_register_file #(
+      .Depth(Rows), .Width(LineBits)
+    ) u_address (
+      .clk_i(clk_i), .write_i(address_write[b]),
+      .write_address_i(address_row[b*RowBits +: RowBits]),
+      .write_data_i(address[b*LineBits +: LineBits]), .read_address_i(row_of(request_q)),
+      .read_data_o(asked[b*LineBits +: LineBits])
+    );
   end
 
   // Requests
   logic draining_q;
   logic request;
   assign req_valid_o = waiting_q != '0 && !draining_q;
-  assign req_line_o  = address_q[request_q];
+  assign req_line_o  = asked[request_q[1:0]*LineBits +: LineBits];
   assign req_tag_o   = 8'(request_q);
   assign request     = req_valid_o && req_ready_i;
 
@@ -102,7 +131,7 @@ module ptm_unit_miss_ring #(
   logic                response;
   logic [SlotBits-1:0] response_slot;
   assign response_slot = rsp_tag_i[SlotBits-1:0];
-  assign response      = rsp_valid_i && 9'(rsp_tag_i) < 9'(MissFifo) &&
+  assign response      = rsp_valid_i && 9'(rsp_tag_i) < 9'(Slots) &&
                          outstanding_q[response_slot];
 
   // What the memory owes. While the ring drains any answer is one of those; tags mean nothing then.
@@ -120,28 +149,32 @@ module ptm_unit_miss_ring #(
     else if (owed_q == '0) draining_q <= 1'b0;
   end
 
-  always_ff @(posedge clk_i) if (response) line_q[response_slot] <= rsp_line_i;
-
   // Commit
-  logic [1:0]      committed;
-  logic [Tmus-1:0] there;
+  logic [1:0]             committed;
+  logic [3:0]             bank_valid, bank_taken;
+  logic [4*LineWidth-1:0] bank_line;
   assign committed = lines_before(rank_i, Tmus);
+  for (genvar b = 0; b < 4; b++) begin : gen_line
+    ptm_unit_miss_bank #(
+      .Rows(Rows), .Width(LineWidth)
+    ) u_bank (
+      .clk_i(clk_i), .rst_ni(rst_ni), .write_i(response && response_slot[1:0] == 2'(b)),
+      .write_row_i(row_of(response_slot)), .write_line_i(rsp_line_i), .valid_o(bank_valid[b]),
+      .take_i(bank_taken[b]), .line_o(bank_line[b*LineWidth +: LineWidth])
+    );
+    // Of the rank's lines, the one that follows the head as far as this bank does
+    assign bank_taken[b] = commit_i && 2'(2'(b) - head_q) < committed;
+  end
+  logic [Tmus-1:0] there;
   for (genvar t = 0; t < Tmus; t++) begin : gen_commit
-    logic [SlotBits-1:0]  slot;
+    logic [1:0]           bank;
     logic [LineWidth-1:0] line;
-    // Of a beat without lines nothing is asked
-    always_comb begin
-      slot     = '0;
-      there[t] = 1'b1;
-      if (rank_i != '0) begin
-        slot     = behind(head_q, lines_before(rank_i, t));
-        there[t] = !rank_i[t] || usable_q[slot];
-      end
-    end
+    assign bank     = head_q + lines_before(rank_i, t);
+    assign there[t] = !rank_i[t] || bank_valid[bank];
     // Without a commit nothing moves, and nothing is simulated
     always_comb begin
       line = '0;
-      if (commit_i && rank_i[t]) line = line_q[slot];
+      if (commit_i && rank_i[t]) line = bank_line[bank*LineWidth +: LineWidth];
     end
     assign line_o[t*LineWidth +: LineWidth] = line;
   end
@@ -158,10 +191,9 @@ module ptm_unit_miss_ring #(
       waiting_q     <= '0;
       held_q        <= '0;
       outstanding_q <= '0;
-      usable_q      <= '0;
     end else begin
       if (push) tail_q <= behind(tail_q, pushed);
-      if (commit_i) head_q <= behind(head_q, committed);
+      if (commit_i) head_q <= head_q + committed;
       held_q    <= release_i ? '0 : held_now;
       free_q    <= free_q - (push ? CountBits'(pushed) : '0) + (release_i ? held_now : '0);
       waiting_q <= waiting_q + (push ? CountBits'(pushed) : '0) - CountBits'(request);
@@ -169,13 +201,7 @@ module ptm_unit_miss_ring #(
         request_q                <= behind(request_q, 2'd1);
         outstanding_q[request_q] <= 1'b1;
       end
-      if (response) begin
-        outstanding_q[response_slot] <= 1'b0;
-        usable_q[response_slot]      <= 1'b1;
-      end
-      for (int t = 0; t < Tmus; t++) begin
-        if (commit_i && rank_i[t]) usable_q[behind(head_q, lines_before(rank_i, t))] <= 1'b0;
-      end
+      if (response) outstanding_q[response_slot] <= 1'b0;
     end
   end
 

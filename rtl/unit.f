@@ -19,6 +19,7 @@ rtl/ptm_unit_address.sv
 rtl/ptm_unit_tag_bank.sv
 rtl/ptm_unit_tmu_tags.sv
 rtl/ptm_unit_tags.sv
+rtl/ptm_unit_miss_bank.sv
 rtl/ptm_unit_miss_ring.sv
 rtl/ptm_unit_beat_fifo.sv
 rtl/ptm_unit_tmu_commit.sv

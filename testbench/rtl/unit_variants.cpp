@@ -36,6 +36,7 @@ constexpr reference::UnitConfig with_effects(reference::UnitConfig unit, int set
 }
 constexpr reference::UnitConfig one_tmu(reference::UnitConfig unit) {
   unit.tmus = 1;
+  unit.miss_fifo = 13;  // no multiple of four
   return unit;
 }
 

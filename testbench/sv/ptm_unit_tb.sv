@@ -132,6 +132,25 @@ module ptm_unit_tb #(
     .pix_color_saturated_o(pix_color_saturated_o)
   );
 
+  // The miss ring's oldest line
+  localparam int RingRows    = (MissFifo + 3) / 4;
+  localparam int RingRowBits = RingRows == 1 ? 1 : $clog2(RingRows);
+  logic [1:0]             head_bank;
+  logic [RingRowBits-1:0] head_row;
+  logic [RingRowBits-1:0] bank_row [4];
+  logic [25:0]            head_line [4];
+  assign head_bank = u_dut.u_front.u_miss_ring.head_q;
+  assign head_row  = bank_row[head_bank];
+  for (genvar b = 0; b < 4; b++) begin : gen_head
+    assign bank_row[b] = u_dut.u_front.u_miss_ring.gen_line[b].u_bank.row_q;
+    always_comb begin
+      head_line[b] = '0;
+      if (probe_i == 8'd5) begin
+        head_line[b] = u_dut.u_front.u_miss_ring.gen_address[b].u_address.word_q[bank_row[b]];
+      end
+    end
+  end
+
   always_comb begin
     probe_o = 32'd0;
     if (probe_i != 8'd0) begin
@@ -140,8 +159,8 @@ module ptm_unit_tb #(
         8'd2: probe_o = 32'(u_dut.u_front.k_beat.x);
         8'd3: probe_o = 32'(u_dut.u_front.k_beat.y);
         // The slot of the first line that K has not committed, and its address
-        8'd4: probe_o = 32'(u_dut.u_front.u_miss_ring.head_q);
-        8'd5: probe_o = 32'(u_dut.u_front.u_miss_ring.address_q[u_dut.u_front.u_miss_ring.head_q]);
+        8'd4: probe_o = 32'({head_row, head_bank});
+        8'd5: probe_o = 32'(head_line[head_bank]);
         // Parameters, in order of rtl_parameters() and of UnitConfig
         8'd128: probe_o = 32'(CoefBits);
         8'd129: probe_o = 32'(DeltaBits);

@@ -182,7 +182,7 @@ int SteppedUnit::palette_cycles(const Beat& beat) {
 bool SteppedUnit::arrived(const Beat& beat) const {
   if (beat.reads.empty()) return true;
   return std::ranges::all_of(beat.reads[beat.ranks_committed], [&](std::size_t read) {
-    return reads_[read].arrives && *reads_[read].arrives < cycle_;
+    return reads_[read].arrives && *reads_[read].arrives + 2 <= cycle_;
   });
 }
 

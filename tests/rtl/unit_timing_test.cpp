@@ -79,7 +79,7 @@ TEST_F(RtlUnitTiming, AWarmLrgbMapGivesAPixelACycle) {
   EXPECT_EQ(result.counters[UnitCounter::bank_conflicts], 0U);
 }
 
-TEST_F(RtlUnitTiming, ALineThatArrivesInACycleIsCommittedInTheNext) {
+TEST_F(RtlUnitTiming, ALineThatArrivesInACycleIsCommittedTwoLater) {
   const UnitState state = lrgb_state(16, 16, reference::Wrap::repeat, false);
   unit_->load(state);
   const std::vector<UnitFragment> fragments{at_texel(state, 5, 5)};
@@ -87,7 +87,7 @@ TEST_F(RtlUnitTiming, ALineThatArrivesInACycleIsCommittedInTheNext) {
   const auto result = unit_->run({.fragments = fragments}, *slow, {});
   // In T in cycle 5, so the first of three requests leaves in 6; a rank waits for its last line.
   EXPECT_EQ(result.answered, (std::vector<Cycle>{56, 63, 70}));
-  EXPECT_EQ(result.taken[0], 70U + 1 + 24 - 7);
+  EXPECT_EQ(result.taken[0], 70U + 2 + 24 - 7);
 }
 
 TEST_F(RtlUnitTiming, BlockedItHoldsTheFragmentFifoAnd24BeatsBesides) {
@@ -240,6 +240,61 @@ TEST_F(RtlUnitTiming, ATagThatWasAnsweredAlreadyIsNotOutstandingEither) {
   EXPECT_EQ(unit_->read(0x1003) & 2U, 0U);
   (void)unit_->cycle(pins);
   EXPECT_EQ(unit_->read(0x1003) & 2U, 2U);
+}
+
+/// Thirteen slots have the numbers 0 to 15: the tags of requests go round all of them, while no more
+/// than thirteen are in use.
+TEST_F(RtlUnitTiming, SlotsAreNumberedModuloMissFifoRoundedUpToAMultipleOfFour) {
+  const auto variants = testbench::rtl_unit_variants();
+  const auto variant = std::find_if(variants.begin(), variants.end(),
+                                    [](const auto& v) { return v.unit.miss_fifo % 4 != 0; });
+  ASSERT_NE(variant, variants.end());
+  ASSERT_EQ(variant->unit.miss_fifo, 13);
+  ASSERT_EQ(variant->unit.tmus, 1);
+  const auto unit = variant->make();
+  const UnitState state = lrgb_state(128, 64);  // a beat at a tile's corner misses four lines
+  unit->load(state);
+  unit->write(0x1000, 3);
+  std::vector<testbench::RtlUnitSeen> requests;
+  std::size_t sent = 0, answered = 0, pixels = 0;
+  const auto step = [&](bool answer) {
+    RtlUnitPins pins{.valid = true};
+    pins.fragment =
+        at_texel(state, static_cast<int>(sent % 16) * 8 + 3, static_cast<int>(sent / 16) * 8 + 3);
+    if (answer && answered < requests.size()) {
+      pins.response = true;
+      pins.tag = requests[answered].tag;
+      pins.line = state.memory.at(requests[answered++].line);
+    }
+    const auto seen = unit->cycle(pins);
+    sent += seen.ready;
+    pixels += seen.pixel_valid;
+    if (seen.request) requests.push_back(seen);
+  };
+  for (int cycle = 0; cycle < 200; ++cycle) step(false);
+  EXPECT_EQ(requests.size(), 13U);  // and the ring is full
+  for (int cycle = 0; cycle < 200; ++cycle) step(true);
+  EXPECT_GT(requests.size(), 60U);
+  for (std::size_t n = 0; n < requests.size(); ++n) EXPECT_EQ(requests[n].tag, n % 16) << n;
+  EXPECT_GT(pixels, 10U);
+  EXPECT_EQ(unit->read(0x1003) & 2U, 0U);
+  RtlUnitPins beyond{.response = true, .tag = 16};
+  (void)unit->cycle(beyond);
+  EXPECT_EQ(unit->read(0x1003) & 0xff02U, 0x1002U);
+}
+
+/// Of a ring of which every number's bits have a meaning, all tags beyond are errors, and all below
+/// that nobody waits for.
+TEST_F(RtlUnitTiming, AnyTagThatNobodyWaitsForIsAnError) {
+  const auto unit = small_.make();
+  unit->load(lrgb_state(16, 16));
+  for (unsigned tag = 0; tag < 256; ++tag) {
+    unit->write(0x1000, 2);
+    EXPECT_EQ(unit->read(0x1003), 0U);
+    RtlUnitPins pins{.response = true, .tag = static_cast<std::uint8_t>(tag)};
+    (void)unit->cycle(pins);
+    EXPECT_EQ(unit->read(0x1003), tag << 8 | 2U);
+  }
 }
 
 TEST_F(RtlUnitTiming, AnIllegalDrawIsRefusedAndNoFragmentAccepted) {

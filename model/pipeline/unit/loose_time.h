@@ -65,7 +65,7 @@ class LooseTime {
   /// Returns from when on the line may be committed.
   double request(std::uint32_t line, double pushed) {
     sent_ = std::max(static_cast<Cycle>(pushed) + 1, sent_ + 1);
-    return static_cast<double>(memory_->line(requests_++, line, sent_) + 1);
+    return static_cast<double>(memory_->line(requests_++, line, sent_) + 2);
   }
 
   std::unique_ptr<MemoryTiming> memory_;

@@ -56,7 +56,7 @@ Cycle MemoryPort::read(std::uint32_t line, Cycle cycle, std::uint32_t slot, cons
   if (fault_ && fault_->index == index_ && fault_->kind == MemoryFault::Kind::never) done = kNever;
   answered.push_back(done);
   last_transfer_ = std::max(last_transfer_, done == kNever ? cycle : done);
-  Cycle usable = done + 1;
+  Cycle usable = done + 2;
   if (done == kNever) {
     note_fault(MemoryFault::Kind::never, line, slot, done, beat);
     usable = kStuck;
