@@ -4,6 +4,7 @@ rtl/ptm_unit_pkg.sv
 rtl/ptm_unit_front_pkg.sv
 rtl/ptm_ram.sv
 rtl/ptm_register_file.sv
+rtl/ptm_ram_fifo.sv
 rtl/ptm_by_draw.sv
 rtl/ptm_unit_probe.sv
 rtl/ptm_unit_level.sv
