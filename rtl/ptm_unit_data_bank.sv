@@ -1,6 +1,6 @@
 // One data bank of one TMU's cache: a line's four words of one texel parity a row. One port to
-// write rows, one to read words; a read in the cycle of a write gives what stood there before. The
-// read register is D.
+// write rows, one to read them; a read in the cycle of a write gives what stood there before. The
+// read register is D, behind which the word is chosen.
 module ptm_unit_data_bank #(
   parameter int Rows = 256,
   parameter int Bank = 0,  // {parity in v, parity in u}
@@ -18,15 +18,19 @@ module ptm_unit_data_bank #(
 );
   localparam int First = Bank / 2 * 4 + Bank % 2;  // word of the line
 
-  logic [31:0] word_q [4*Rows];  // {row, word}
-  logic [31:0] read_q;
-  always_ff @(posedge clk_i) begin
-    if (write_i) begin
-      for (int w = 0; w < 4; w++) begin
-        word_q[{write_row_i, 2'(w)}] <= line_i[32*(First + w / 2 * 8 + w % 2 * 2) +: 32];
-      end
-    end
-    if (read_i) read_q <= word_q[{read_row_i, read_word_i}];
-  end
-  assign read_data_o = read_q;
+  logic [127:0] row;
+  ptm_ram #(
+    .Depth(Rows), .Width(128)
+  ) u_row (
+    .clk_i(clk_i), .write_i(write_i), .write_address_i(write_row_i),
+    .write_data_i({line_i[32*(First+10) +: 32], line_i[32*(First+8) +: 32],
+                   line_i[32*(First+2) +: 32], line_i[32*First +: 32]}),
+    .read_i(read_i), .read_address_i(read_row_i), .read_data_o(row)
+  );
+  logic [1:0] word_q;
+  always_ff @(posedge clk_i) if (read_i) word_q <= read_word_i;
+  assign read_data_o = row[{word_q, 5'd0} +: 32];
+
+  logic unused;
+  assign unused = ^line_i;
 endmodule
