@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
               "written_q <= written_q;"},
         Fault{"LineRead", "rtl/ptm_unit_miss_bank.sv", "valid_q   <= 1'b0;", "valid_q <= valid_q;"},
         Fault{"LineRow", "rtl/ptm_unit_miss_bank.sv", "row_q     <= '0;", "row_q <= row_q;"},
-        Fault{"FragmentFifoCount", "rtl/ptm_unit_beat_fifo.sv", "count_q <= '0;",
+        Fault{"FragmentFifoCount", "rtl/ptm_ram_fifo.sv", "count_q    <= '0;",
               "count_q <= count_q;"},
         Fault{"TagsValid", "rtl/ptm_unit_tag_bank.sv", "if (!rst_ni) valid_q <= '0;",
               "if (!rst_ni) valid_q <= valid_q;"},
