@@ -36,7 +36,7 @@ module ptm_unit_counters #(
   input  logic                              looked_i,
   input  logic [Tmus*4-1:0]                 hits_i,
   input  logic [Tmus*4-1:0]                 misses_i,
-  input  logic [Tmus*4-1:0]                 duplicates_i,
+  input  logic [Tmus*4-1:0]                 duplicates_i,  // in a cycle of their own
   input  logic [Tmus-1:0]                   color_i,
   input  logic [ptm_unit_pkg::DrawBits-1:0] draw_i,
   input  logic [5:0]                        number_i,
@@ -82,7 +82,6 @@ module ptm_unit_counters #(
     hits_color   = 4'd0;
     misses_map   = 4'd0;
     misses_color = 4'd0;
-    duplicates   = 4'd0;
     if (looked_i) begin
       for (int t = 0; t < Tmus; t++) begin
         if (color_i[t]) hits_color = hits_color + ones(hits_i[t*4 +: 4]);
@@ -92,9 +91,14 @@ module ptm_unit_counters #(
         for (int t = 0; t < Tmus; t++) begin
           if (color_i[t]) misses_color = misses_color + ones(misses_i[t*4 +: 4]);
           else misses_map = misses_map + ones(misses_i[t*4 +: 4]);
-          duplicates = duplicates + ones(duplicates_i[t*4 +: 4]);
         end
       end
+    end
+  end
+  always_comb begin
+    duplicates = 4'd0;
+    if (duplicates_i != '0) begin
+      for (int t = 0; t < Tmus; t++) duplicates = duplicates + ones(duplicates_i[t*4 +: 4]);
     end
   end
 

@@ -12,6 +12,7 @@ module ptm_unit_front #(
   parameter int Ways         = 2,    // 1, 2, 4
   parameter int FragmentFifo = 192,  // beats; 4..1024
   parameter int MissFifo     = 64,   // lines; 4 * Tmus..256
+  parameter int DuplicateLines = 1,  // 0: the counter of that name is 0
   parameter int ExtraSets    = 0,    // 0..4
   parameter int Stages       = 0,    // mask
   localparam int LineBits    = ptm_unit_pkg::LineBits,
@@ -98,7 +99,7 @@ module ptm_unit_front #(
   logic [Tmus-1:0]      looked_color;
   logic [ptm_unit_pkg::DrawBits-1:0] looked_draw;
   ptm_unit_tags #(
-    .Tmus(Tmus), .Sets(Sets), .Ways(Ways)
+    .Tmus(Tmus), .Sets(Sets), .Ways(Ways), .DuplicateLines(DuplicateLines)
   ) u_tags (
     .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .valid_i(a_valid),
     .ready_o(a_ready), .beat_i(a_beat),

@@ -1,7 +1,8 @@
 // T: looks a beat's tiles up in the caches' tags, pushes its misses rank by rank to the miss ring,
 // and sends the beat to the fragment FIFO with its last rank.
 //
-// Look-up happens in the beat's first cycle here, on the state that the beat before left. Rank r
+// Tags are read as the beat enters; look-up happens in its first cycle here, on the state that the
+// beat before left. Rank r
 // is the r-th miss of each TMU, in the order of TMUs; a rank is pushed whole or not at all. A beat
 // without misses needs only the FIFO. docs/spec/unit-timing.md, Tags.
 `include "ptm_assert.svh"
@@ -9,6 +10,7 @@ module ptm_unit_tags #(
   parameter int Tmus = 3,
   parameter int Sets = 32,  // of a bank
   parameter int Ways = 2,
+  parameter int DuplicateLines = 1,  // 0: duplicates_o is 0
   localparam int LineBits = ptm_unit_pkg::LineBits,
   localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits,
   localparam int TakenW   = ptm_unit_front_pkg::TakenW,
@@ -47,7 +49,7 @@ module ptm_unit_tags #(
   output logic              looked_o,      // the rest counts in this cycle
   output logic [Tmus*4-1:0] hits_o,        // by TMU, then bank
   output logic [Tmus*4-1:0] misses_o,
-  output logic [Tmus*4-1:0] duplicates_o,  // misses of lines that another TMU's cache holds
+  output logic [Tmus*4-1:0] duplicates_o,  // a cycle later: lines that another TMU's cache held
   output logic [Tmus-1:0]   color_o,       // texture of the TMU's word
   output logic [ptm_unit_pkg::DrawBits-1:0] draw_o
 );
@@ -124,34 +126,47 @@ module ptm_unit_tags #(
   logic [Tmus-1:0]            more;
   logic [4*Tmus*SetBits-1:0]  sets;   // looked up, by bank, then TMU
   logic [4*Tmus*LineBits-1:0] lines;
-  // The same of misses, and where another TMU holds them; else all stands still
+  assign misses_o = look_up_q & ~hits_o;
+
+  // The same of misses, which are looked for in the other TMUs' caches; else all stands still
   logic                       any_miss;
   logic [4*Tmus-1:0]          miss;
   logic [4*Tmus*SetBits-1:0]  miss_set;
-  logic [4*Tmus*LineBits-1:0] miss_line;
-  logic [4*Tmus*Tmus-1:0]     held;   // by bank, then holder, then misser
-  always_comb begin
-    {miss, miss_set, miss_line} = '0;
-    if (any_miss) begin
-      miss_set  = sets;
-      miss_line = lines;
-      for (int b = 0; b < 4; b++) begin
-        for (int t = 0; t < Tmus; t++) miss[b*Tmus + t] = misses_o[t*4 + b];
+  logic [4*Tmus*LineBits-1:0] missed_line;  // a cycle later
+  logic [4*Tmus*Tmus-1:0]     held;         // likewise; by bank, then holder, then misser
+  if (DuplicateLines == 0 || Tmus == 1) begin : gen_no_duplicates
+    assign any_miss     = 1'b0;
+    assign miss         = '0;
+    assign miss_set     = '0;
+    assign missed_line  = '0;
+    assign duplicates_o = '0;
+    logic unused;
+    assign unused = ^{sets, lines, held};
+  end else begin : gen_duplicates
+    assign any_miss = misses_o != '0;
+    always_comb begin
+      {miss, miss_set} = '0;
+      if (any_miss) begin
+        miss_set = sets;
+        for (int b = 0; b < 4; b++) begin
+          for (int t = 0; t < Tmus; t++) miss[b*Tmus + t] = misses_o[t*4 + b];
+        end
       end
     end
-  end
-  always_comb begin
-    duplicates_o = '0;
-    if (any_miss) begin
-      for (int b = 0; b < 4; b++) begin
-        for (int n = 0; n < Tmus * Tmus; n++) begin
-          if (held[b*Tmus*Tmus + n]) duplicates_o[(n % Tmus)*4 + b] = 1'b1;
+    logic [4*Tmus*LineBits-1:0] missed_line_q;
+    always_ff @(posedge clk_i) if (any_miss) missed_line_q <= lines;
+    assign missed_line = missed_line_q;
+    always_comb begin
+      duplicates_o = '0;
+      if (held != '0) begin
+        for (int b = 0; b < 4; b++) begin
+          for (int n = 0; n < Tmus * Tmus; n++) begin
+            if (held[b*Tmus*Tmus + n]) duplicates_o[(n % Tmus)*4 + b] = 1'b1;
+          end
         end
       end
     end
   end
-  assign misses_o = look_up_q & ~hits_o;
-  assign any_miss = misses_o != '0;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     // A word's look-ups are its texture's, moved by its plane
     logic [PlaneBits-1:0]  plane;
@@ -171,17 +186,26 @@ module ptm_unit_tags #(
     for (genvar b = 0; b < 4; b++) begin : gen_bank
       localparam int At = t * 4 + b;
       localparam int X = b % 2, Y = b / 2;
-      logic [SetBits-1:0]  hash, low, set_q;
+      logic                read;  // for the look-up in the next cycle
+      logic [SetBits-1:0]  hash, low, set, set_q;
       logic [LineBits-1:0] line_q;
       assign hash = hash_y[Y*SetBits +: SetBits] + hash_x[X*SetBits +: SetBits] + SetBits'(plane);
       assign low  = low_y[Y*SetBits +: SetBits] | low_x[X*SetBits +: SetBits];
-      always_ff @(posedge clk_i) begin
+      always_comb begin
+        read = 1'b0;
+        set  = '0;
         if (t_load) begin
           if (look_up[At]) begin
-            set_q  <= (low ^ hash) & SetBits'(Sets - 1);
-            line_q <= row[Y*LineBits +: LineBits] + column[X*LineBits +: LineBits] +
-                      LineBits'(plane);
+            read = 1'b1;
+            set  = (low ^ hash) & SetBits'(Sets - 1);
           end
+        end
+      end
+      always_ff @(posedge clk_i) begin
+        if (read) begin
+          set_q  <= set;
+          line_q <= row[Y*LineBits +: LineBits] + column[X*LineBits +: LineBits] +
+                    LineBits'(plane);
         end
       end
       localparam int By = b * Tmus + t;
@@ -189,13 +213,13 @@ module ptm_unit_tags #(
       assign lines[By*LineBits +: LineBits] = line_q;
       assign line[b]                        = line_q;
       ptm_unit_tag_bank #(
-        .Sets(Sets), .Ways(Ways), .Tmus(Tmus), .Tmu(t)
+        .Sets(Sets), .Ways(Ways), .Tmus(Tmus), .Tmu(t), .DuplicateLines(DuplicateLines)
       ) u_bank (
-        .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .look_up_i(look_up_q[At]),
-        .set_i(set_q), .line_i(line_q), .hit_o(hits_o[At]),
+        .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .read_i(read),
+        .read_set_i(set), .look_up_i(look_up_q[At]), .set_i(set_q), .line_i(line_q), .hit_o(hits_o[At]),
         .place_o(place[b*PlaceBits +: PlaceBits]), .any_miss_i(any_miss),
         .miss_i(miss[b*Tmus +: Tmus]), .miss_set_i(miss_set[b*Tmus*SetBits +: Tmus*SetBits]),
-        .miss_line_i(miss_line[b*Tmus*LineBits +: Tmus*LineBits]),
+        .missed_line_i(missed_line[b*Tmus*LineBits +: Tmus*LineBits]),
         .held_o(held[By*Tmus +: Tmus])
       );
     end

@@ -17,6 +17,7 @@ rtl/ptm_unit_lookup.sv
 rtl/ptm_unit_beats.sv
 rtl/ptm_unit_split.sv
 rtl/ptm_unit_address.sv
+rtl/ptm_unit_tag_copy.sv
 rtl/ptm_unit_tag_bank.sv
 rtl/ptm_unit_tmu_tags.sv
 rtl/ptm_unit_tags.sv
