@@ -69,7 +69,8 @@ module ptm_unit #(
   input  logic signed [ptm_unit_pkg::LightMax-1:0]  frag_hv_i,
   input  logic                                      frag_lit_i,
   input  logic [ptm_unit_pkg::DrawBits-1:0]         frag_draw_i,         // one that was written
-  // Memory: responses in any order, never refused
+  // Memory: responses in any order, never refused, in the cycle in which their request is taken at
+  // the earliest
   output logic         mem_req_valid_o,
   input  logic         mem_req_ready_i,
   output logic [25:0]  mem_req_line_o,

@@ -131,8 +131,10 @@ module ptm_unit_miss_ring #(
   logic                response;
   logic [SlotBits-1:0] response_slot;
   assign response_slot = rsp_tag_i[SlotBits-1:0];
+  // An answer may come in the very cycle in which its request is taken.
   assign response      = rsp_valid_i && 9'(rsp_tag_i) < 9'(Slots) &&
-                         outstanding_q[response_slot];
+                         (outstanding_q[response_slot] ||
+                          (request && response_slot == request_q));
 
   // What the memory owes. While the ring drains any answer is one of those; tags mean nothing then.
   logic [CountBits-1:0] owed_q;

@@ -75,6 +75,8 @@ class RtlUnit {
   /// of the memory too, which then forgets the requests that it has not answered. The registers are
   /// to be written again.
   virtual void reset(bool memory_too) = 0;
+  /// What the cycle that begins now will show at its ports, whatever its inputs are.
+  [[nodiscard]] virtual RtlUnitSeen seen() const = 0;
   /// Cycle by cycle, after load().
   virtual RtlUnitSeen cycle(const RtlUnitPins& pins) = 0;
   virtual void write(std::uint16_t address, std::uint32_t data) = 0;  ///< takes a cycle

@@ -71,10 +71,14 @@ class VerilatedUnit final : public RtlUnit {
     pins_.mem_rsp_tag_i = pins.tag;
     drive(pins.line);
     dut_.eval();  // outputs may depend on inputs here
-    RtlUnitSeen seen{pins_.frag_ready_o != 0,    pins_.pix_valid_o != 0, pixel(),
-                     pins_.mem_req_valid_o != 0, pins_.mem_req_line_o,   pins_.mem_req_tag_o};
+    const RtlUnitSeen now = seen();
     clock_edge();
-    return seen;
+    return now;
+  }
+
+  [[nodiscard]] RtlUnitSeen seen() const override {
+    return {pins_.frag_ready_o != 0,    pins_.pix_valid_o != 0, pixel(),
+            pins_.mem_req_valid_o != 0, pins_.mem_req_line_o,   pins_.mem_req_tag_o};
   }
 
   void reset(bool memory_too) override {

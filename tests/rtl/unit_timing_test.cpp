@@ -242,8 +242,8 @@ TEST_F(RtlUnitTiming, ATagThatWasAnsweredAlreadyIsNotOutstandingEither) {
   EXPECT_EQ(unit_->read(0x1003) & 2U, 2U);
 }
 
-/// Thirteen slots have the numbers 0 to 15: the tags of requests go round all of them, while no more
-/// than thirteen are in use.
+/// Thirteen slots have the numbers 0 to 15: the tags of requests go round all of them, while no
+/// more than thirteen are in use.
 TEST_F(RtlUnitTiming, SlotsAreNumberedModuloMissFifoRoundedUpToAMultipleOfFour) {
   const auto variants = testbench::rtl_unit_variants();
   const auto variant = std::find_if(variants.begin(), variants.end(),
