@@ -33,7 +33,7 @@ module ptm_draw_check #(
   output logic        beyond_o
 );
   localparam int SideW = ptm_unit_pkg::SideBits;
-  localparam int LargestSide = 4096;
+  localparam int LargestSide = ptm_unit_pkg::LargestSide;
 
   logic present;
   assign present = texture_i ? color_i : format_i != ptm_unit_pkg::FormatNone;

@@ -47,11 +47,13 @@ module ptm_unit #(
   // with clk_i too.
   input  logic         rst_ni,
   input  logic         mem_rst_ni,
-  // Registers, written while the unit is idle; reading is combinational
+  // Registers: a write takes its cycle and never waits, reading is combinational
+  // (docs/spec/unit.md, Registers)
   input  logic         reg_we_i,
   input  logic [15:0]  reg_addr_i,
   input  logic [31:0]  reg_wdata_i,
   output logic [31:0]  reg_rdata_o,
+  output logic         irq_o,  // high while an enabled event bit is set
   // Fragments; refused while a draw is illegal or being checked
   input  logic                                      frag_valid_i,
   output logic                                      frag_ready_o,
@@ -102,7 +104,7 @@ module ptm_unit #(
   logic [ptm_unit_pkg::Draws*ptm_unit_pkg::DrawW-1:0] draws;
   logic [5:0]  counter_number;
   logic [63:0] counter;
-  logic        error, checking, busy, invalidate, clear, mem_error, draining;
+  logic        error, checking, busy, last_taken, invalidate, clear, mem_error, draining;
   logic        pal_lrgb_we, pal_rgb_we;
   logic [10:0] pal_lrgb_addr;
   logic [14:0] pal_rgb_addr;
@@ -111,15 +113,32 @@ module ptm_unit #(
   logic        table_we;
   logic [9:0]  table_addr;
   logic [11:0] table_data;
+  logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities;
+  ptm_unit_capabilities #(
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
+    .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
+    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
+    .ExtraPasses(ExtraPasses), .Stages(Stages)
+  ) u_capabilities (
+    .words_o(capabilities)
+  );
+  // No response says that its line could not be read: the memory port has no such pin.
+  logic mem_failed;
+  assign mem_failed = 1'b0;
   ptm_unit_registers #(
     .HalfVector(HalfVector), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_registers (
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .effects_o(effects),
     .table_we_o(table_we), .table_addr_o(table_addr), .table_data_o(table_data), .error_o(error),
-    .checking_o(checking), .busy_i(busy), .invalidate_o(invalidate), .clear_o(clear),
-    .mem_error_i(mem_error), .mem_error_tag_i(mem_rsp_tag_i), .draining_i(draining),
-    .counter_number_o(counter_number), .counter_i(counter),
+    .checking_o(checking), .irq_o(irq_o), .busy_i(busy),
+    .accepted_i(frag_valid_i && frag_ready_o), .last_taken_i(last_taken),
+    .invalidate_o(invalidate), .clear_o(clear), .mem_error_i(mem_error),
+    .mem_error_tag_i(mem_rsp_tag_i), .mem_failed_i(mem_failed), .draining_i(draining),
+    .counter_number_o(counter_number), .counter_i(counter), .capabilities_i(capabilities),
     .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
     .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
   );
@@ -188,7 +207,8 @@ module ptm_unit #(
     .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining),
     .draws_i(draws), .sets_i(sets),
     .invalidate_i(invalidate), .clear_i(clear),
-    .busy_o(busy), .counter_number_i(counter_number), .counter_o(counter),
+    .busy_o(busy), .last_taken_o(last_taken), .counter_number_i(counter_number),
+    .counter_o(counter),
     .valid_i(frag_valid_i && open), .ready_o(front_ready),
     .fragment_i(fragment), .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
     .mem_req_line_o(mem_req_line_o), .mem_req_tag_o(mem_req_tag_o),

@@ -16,6 +16,7 @@ module ptm_unit_counters #(
   input  logic        accepted_i,
   input  logic        taken_i,
   output logic        busy_o,  // fragments are inside
+  output logic        last_taken_o,  // the last of them leaves as a pixel, and none enters
   // K and T
   input  logic        k_leaves_i,
   input  logic        k_holds_i,
@@ -52,6 +53,7 @@ module ptm_unit_counters #(
   logic        working, counts;
   assign working = inside_q != '0;
   assign busy_o = working;
+  assign last_taken_o = taken_i && !accepted_i && inside_q == 16'd1;
   assign counts = working || accepted_i;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

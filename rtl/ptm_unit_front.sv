@@ -26,6 +26,7 @@ module ptm_unit_front #(
   input  logic                      invalidate_i,  // only while nothing is inside
   input  logic                      clear_i,
   output logic                      busy_o,
+  output logic                      last_taken_o,  // the last pixel of what is inside is taken
   input  logic [5:0]                counter_number_i,
   output logic [63:0]               counter_o,
   // Fragments
@@ -170,7 +171,8 @@ module ptm_unit_front #(
     .Tmus(Tmus), .Stages(Stages)
   ) u_counters (
     .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(clear_i), .accepted_i(valid_i && ready_o),
-    .taken_i(pixel_taken_i), .busy_o(busy_o), .k_leaves_i(k_valid && f_ready),
+    .taken_i(pixel_taken_i), .busy_o(busy_o), .last_taken_o(last_taken_o),
+    .k_leaves_i(k_valid && f_ready),
     .k_holds_i(k_holds), .f_accepts_i(f_ready), .t_waits_for_slots_i(t_waits),
     .inc_conflicts_i(inc_conflicts), .inc_words_i(inc_words), .inc_taps_i(inc_taps),
     .inc_lines_i(mem_req_valid_o && mem_req_ready_i), .inc_palette_i(inc_palette_i),

@@ -14,6 +14,11 @@ package ptm_unit_pkg;
   localparam int Fields    = 26;  // of a filtered fragment
   localparam int Counters  = 38;
   localparam int GroupBits = 4;   // of a beat's number in its footprint: 15 words, one TMU
+  localparam int LargestSide  = 4096;
+  localparam int ProbesLog2   = 4;   // at most
+  localparam int LrgbPalettes = Draws;
+  localparam int LrgbBits     = 8;   // of an entry's number in its palette
+  localparam int RgbBits      = 12;
   // Effects: the most that a unit may be built with (docs/spec/effects.md)
   localparam int SetsMax   = 4;
   localparam int PassesMax = 4;
@@ -27,10 +32,26 @@ package ptm_unit_pkg;
   localparam int BeatW    = 2 * PixelBits + 2 * LightMax + 1 + DrawBits + 3 + 2 + GroupBits +
                             2 * 25 + 2;
   localparam int EffectW  = 3 + 4 * PassesMax + 3 + StagesMax + 32 + SetsMax * (6 * 12 + 6 * 5);
+  // Where a draw_t keeps what; a texture_t lies at DrawColorAt and at DrawMapAt
+  localparam int DrawKsAt = 0, DrawKdAt = 9, DrawKaAt = 18, DrawPaletteAt = 27, DrawShiftAt = 29;
+  localparam int DrawBiasAt = 59, DrawColorAt = 131, DrawMapAt = DrawColorAt + TextureW;
+  localparam int DrawLodAt = DrawMapAt + TextureW, DrawHasColorAt = DrawLodAt + 13;
+  localparam int DrawCombineAt = DrawLodAt + 14, DrawWrapVAt = DrawLodAt + 17;
+  localparam int DrawWrapUAt = DrawLodAt + 19, DrawMipAt = DrawLodAt + 21;
+  localparam int DrawBilinearAt = DrawLodAt + 23, DrawFormatAt = DrawLodAt + 24;
+  localparam int LevelsAt = LevelsMax * LineBits;  // in a texture_t
+  localparam int HeightAt = LevelsAt + 4, WidthAt = HeightAt + SideBits;
   // Where an effect_t keeps what
   localparam int EffectBiasAt = SetsMax * 6 * 5, EffectArgumentAt = EffectBiasAt + SetsMax * 6 * 12;
   localparam int EffectStagesAt = EffectArgumentAt + 32, EffectSetsAt = EffectStagesAt + StagesMax;
   localparam int EffectPassAt = EffectSetsAt + 3, EffectPassesAt = EffectPassAt + 4 * PassesMax;
+
+  // Registers: docs/spec/unit.md, Registers
+  localparam logic [31:0] Magic = 32'h50544d55;  // "PTMU"
+  localparam logic [31:0] MapVersion = {16'd1, 16'd0};
+  localparam int CapabilityWords = 8;
+  localparam int Events = 5;  // bits of the event register
+  localparam int EventIdle = 0, EventDraw = 1, EventTag = 2, EventLine = 3, EventRefused = 4;
 
   localparam logic [2:0] FormatNone = 0, FormatLrgb = 1, FormatRgb = 2, FormatPaletteLrgb = 3,
                          FormatPaletteRgb = 4;

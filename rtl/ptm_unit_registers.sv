@@ -1,10 +1,12 @@
-// The unit's registers: draws, palettes' addresses, status, counters; the check of what was
-// written.
+// The unit's registers: draws, palettes' addresses, status, events, counters; the check of what
+// was written.
 //
-// Map: docs/spec/unit.md, Registers. A write takes one cycle; reading is combinational. Addresses
-// that hold nothing read as 0 and are not written. Writing a draw's control starts its check, which
-// looks at one level a cycle, the map's 13 and then the colour texture's, in 26 cycles; draws whose
-// control is written meanwhile wait, the lowest first.
+// Map: docs/spec/unit.md, Registers. A write takes one cycle and is never made to wait; reading is
+// combinational. Addresses that hold nothing read as 0 and are not written. What fragments read is
+// not written while fragments are inside, nor in the cycle in which one is accepted: such a write
+// is ignored and sets an event bit. Writing a draw's control starts its check, which looks at one
+// level a cycle, the map's 13 and then the colour texture's, in 26 cycles; draws whose control is
+// written meanwhile wait, the lowest first.
 module ptm_unit_registers #(
   parameter int HalfVector  = 0,  // effects, as ptm_unit
   parameter int ExtraSets   = 0,
@@ -25,14 +27,19 @@ module ptm_unit_registers #(
   output logic [11:0] table_data_o,
   output logic        error_o,       // a draw that was written is illegal
   output logic        checking_o,    // a draw is looked at, or waits for it
+  output logic        irq_o,         // an event whose enable bit is set
   input  logic        busy_i,        // fragments inside
+  input  logic        accepted_i,    // a fragment enters
+  input  logic        last_taken_i,  // the last pixel of what is inside leaves
   output logic        invalidate_o,  // the caches; in the cycle of the write
   output logic        clear_o,       // the counters; in the cycle of the write
   input  logic        mem_error_i,   // a response came with a tag that is not outstanding
   input  logic [7:0]  mem_error_tag_i,
+  input  logic        mem_failed_i,  // a response says that its line could not be read
   input  logic        draining_i,    // the memory owes answers from before the reset
   output logic [5:0]  counter_number_o,  // which counter the read address asks for
   input  logic [63:0] counter_i,         // its value, 0 if there is none of that number
+  input  logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities_i,  // word 0 lowest
   // Palettes
   output logic        pal_lrgb_we_o,
   output logic [10:0] pal_lrgb_addr_o,
@@ -44,21 +51,34 @@ module ptm_unit_registers #(
   localparam int Draws     = ptm_unit_pkg::Draws;
   localparam int LastLevel = ptm_unit_pkg::LevelsMax - 1;
 
-  // Writes
-  logic we_draws, we_command, we_lines;
+  // Writes. What fragments read: draws, commands that invalidate, the memory's lines, palettes,
+  // effects' sets and tables
+  logic locked, shared, we_shared, refused;
+  logic we_draws, we_command, we_lines, we_events, we_enable;
   always_comb begin
+    {shared, refused, we_shared}                         = '0;
     {we_draws, we_command, we_lines}                     = '0;
+    {we_events, we_enable}                               = '0;
     {pal_lrgb_we_o, pal_rgb_we_o, invalidate_o, clear_o} = '0;
     if (reg_we_i) begin
-      we_draws      = reg_addr_i[15:8] == 8'h00;
       we_command    = reg_addr_i == 16'h1000;
-      we_lines      = reg_addr_i == 16'h1001;
-      pal_lrgb_we_o = reg_addr_i[15:11] == 5'b01000;
-      pal_rgb_we_o  = reg_addr_i[15];
-      invalidate_o  = we_command && reg_wdata_i[0];
+      we_events     = reg_addr_i == 16'h1008;
+      we_enable     = reg_addr_i == 16'h1009;
       clear_o       = we_command && reg_wdata_i[1];
+      shared        = reg_addr_i[15:8] == 8'h00 || (we_command && reg_wdata_i[0]) ||
+                      reg_addr_i == 16'h1001 || reg_addr_i[15:7] == 9'h050 ||
+                      reg_addr_i[15:10] == 6'h0c || reg_addr_i[15:11] == 5'b01000 ||
+                      reg_addr_i[15];
+      refused       = shared && locked;
+      we_shared     = shared && !locked;
+      we_draws      = we_shared && reg_addr_i[15:8] == 8'h00;
+      we_lines      = we_shared && reg_addr_i == 16'h1001;
+      pal_lrgb_we_o = we_shared && reg_addr_i[15:11] == 5'b01000;
+      pal_rgb_we_o  = we_shared && reg_addr_i[15];
+      invalidate_o  = we_shared && we_command;
     end
   end
+  assign locked          = busy_i || accepted_i;
   assign pal_lrgb_addr_o = reg_addr_i[10:0];
   assign pal_rgb_addr_o  = reg_addr_i[14:0];
   assign pal_data_o      = reg_wdata_i;
@@ -70,15 +90,18 @@ module ptm_unit_registers #(
   end
 
   // Draws, as one vector that only writes touch: put together of registers it took a third of the
-  // unit's simulation time. At: where a draw_t keeps what; TextureW above ColorAt is the map.
-  localparam int KdAt = 9, KaAt = 18, PaletteAt = 27, ShiftAt = 29, BiasAt = 59, ColorAt = 131;
-  localparam int MapAt = ColorAt + ptm_unit_pkg::TextureW, LodAt = MapAt + ptm_unit_pkg::TextureW;
-  localparam int HasColorAt = LodAt + 13, CombineAt = LodAt + 14, WrapVAt = LodAt + 17;
-  localparam int WrapUAt = LodAt + 19, MipAt = LodAt + 21, BilinearAt = LodAt + 23;
-  localparam int FormatAt = LodAt + 24;
+  // unit's simulation time.
+  localparam int KsAt = ptm_unit_pkg::DrawKsAt, KdAt = ptm_unit_pkg::DrawKdAt;
+  localparam int KaAt = ptm_unit_pkg::DrawKaAt, PaletteAt = ptm_unit_pkg::DrawPaletteAt;
+  localparam int ShiftAt = ptm_unit_pkg::DrawShiftAt, BiasAt = ptm_unit_pkg::DrawBiasAt;
+  localparam int ColorAt = ptm_unit_pkg::DrawColorAt, MapAt = ptm_unit_pkg::DrawMapAt;
+  localparam int LodAt = ptm_unit_pkg::DrawLodAt, HasColorAt = ptm_unit_pkg::DrawHasColorAt;
+  localparam int CombineAt = ptm_unit_pkg::DrawCombineAt, WrapVAt = ptm_unit_pkg::DrawWrapVAt;
+  localparam int WrapUAt = ptm_unit_pkg::DrawWrapUAt, MipAt = ptm_unit_pkg::DrawMipAt;
+  localparam int BilinearAt = ptm_unit_pkg::DrawBilinearAt, FormatAt = ptm_unit_pkg::DrawFormatAt;
   localparam int LineW = ptm_unit_pkg::LineBits, SideW = ptm_unit_pkg::SideBits;
-  localparam int LevelsAt = ptm_unit_pkg::LevelsMax * LineW;  // within a texture
-  localparam int HeightAt = LevelsAt + 4, WidthAt = HeightAt + SideW;
+  localparam int LevelsAt = ptm_unit_pkg::LevelsAt;  // within a texture
+  localparam int HeightAt = ptm_unit_pkg::HeightAt, WidthAt = ptm_unit_pkg::WidthAt;
 
   logic [Draws*DrawW-1:0] draws_q;
   logic [Draws-1:0]       we_control;
@@ -115,7 +138,7 @@ module ptm_unit_registers #(
             6'd10: begin
               draws_q[d*DrawW+KaAt +: 9] <= reg_wdata_i[8:0];
               draws_q[d*DrawW+KdAt +: 9] <= reg_wdata_i[17:9];
-              draws_q[d*DrawW +: 9]      <= reg_wdata_i[26:18];
+              draws_q[d*DrawW+KsAt +: 9] <= reg_wdata_i[26:18];
             end
             default: ;
           endcase
@@ -147,18 +170,20 @@ module ptm_unit_registers #(
   logic               active_q;      // a draw is checked,
   logic [1:0]         check_draw_q;  // this one
   logic [EffectW-1:0] effect;        // its
+  logic [31:0]        effect_word;   // read
   if (ExtraSets == 0 && ExtraPasses == 0 && Stages == 0) begin : gen_no_effects
     assign effects_o  = '0;
     assign table_we_o = 1'b0;
     assign {table_addr_o, table_data_o} = '0;
-    assign effect     = '0;
+    assign effect      = '0;
+    assign effect_word = '0;
   end else begin : gen_effects
     ptm_effect_registers #(
       .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
     ) u_effect_registers (
-      .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
-      .reg_wdata_i(reg_wdata_i), .effects_o(effects_o), .table_we_o(table_we_o),
-      .table_addr_o(table_addr_o), .table_data_o(table_data_o)
+      .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(we_shared), .reg_addr_i(reg_addr_i),
+      .reg_wdata_i(reg_wdata_i), .reg_rdata_o(effect_word), .effects_o(effects_o),
+      .table_we_o(table_we_o), .table_addr_o(table_addr_o), .table_data_o(table_data_o)
     );
     ptm_by_draw #(.Width(EffectW)) u_checked (
       .values_i(effects_o), .draw_i(check_draw_q), .value_o(effect)
@@ -278,17 +303,52 @@ module ptm_unit_registers #(
     else if (mem_error_i && !mem_error_q) mem_error_tag_q <= mem_error_tag_i;
   end
 
+  // Events
+  logic [ptm_unit_pkg::Events-1:0] causes, events, enable;
+  always_comb begin
+    causes                              = '0;
+    causes[ptm_unit_pkg::EventIdle]     = last_taken_i;
+    causes[ptm_unit_pkg::EventDraw]     = active_q && last && errors != '0;
+    causes[ptm_unit_pkg::EventTag]      = mem_error_i;
+    causes[ptm_unit_pkg::EventLine]     = mem_failed_i;
+    causes[ptm_unit_pkg::EventRefused]  = refused;
+  end
+  ptm_unit_events u_events (
+    .clk_i(clk_i), .rst_ni(rst_ni), .causes_i(causes), .we_events_i(we_events),
+    .we_enable_i(we_enable), .wdata_i(reg_wdata_i[ptm_unit_pkg::Events-1:0]), .events_o(events),
+    .enable_o(enable), .irq_o(irq_o)
+  );
+
   // Reading
+  logic [31:0] draw_word;
+  ptm_unit_draw_word u_draw_word (
+    .draws_i(draws_q), .read_i(reg_addr_i[15:8] == 8'h00), .addr_i(reg_addr_i[7:0]),
+    .data_o(draw_word)
+  );
   assign counter_number_o = reg_addr_i[6:1];
   always_comb begin
+    reg_rdata_o = '0;
     if (reg_addr_i[15:7] == 9'h040) begin
       reg_rdata_o = reg_addr_i[0] ? counter_i[63:32] : counter_i[31:0];
-    end else if (reg_addr_i == 16'h1002) begin
-      reg_rdata_o = {4'd0, errors_q[15:12], 4'd0, errors_q[11:8], 4'd0, errors_q[7:4],
-                     4'd0, errors_q[3:0]};
-    end else if (reg_addr_i == 16'h1003) begin
-      reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 5'd0, draining_i,
-                     mem_error_q, busy_i || checking_o};
-    end else reg_rdata_o = '0;
+    end else if (reg_addr_i[15:5] == 11'h080) begin  // 0x1000 to 0x101f
+      case (reg_addr_i[4:0])
+        5'h01: reg_rdata_o = 32'(memory_lines_q);
+        5'h02: reg_rdata_o = {4'd0, errors_q[15:12], 4'd0, errors_q[11:8], 4'd0, errors_q[7:4],
+                              4'd0, errors_q[3:0]};
+        5'h03: reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 5'd0, draining_i,
+                              mem_error_q, busy_i || checking_o};
+        5'h08: reg_rdata_o = 32'(events);
+        5'h09: reg_rdata_o = 32'(enable);
+        5'h10: reg_rdata_o = ptm_unit_pkg::Magic;
+        5'h11: reg_rdata_o = ptm_unit_pkg::MapVersion;
+        default: begin
+          for (int n = 0; n < ptm_unit_pkg::CapabilityWords; n++) begin
+            if (reg_addr_i[4:0] == 5'(18 + n)) reg_rdata_o = capabilities_i[32*n +: 32];
+          end
+        end
+      endcase
+    end else begin
+      reg_rdata_o = draw_word | effect_word;
+    end
   end
 endmodule

@@ -53,6 +53,9 @@ rtl/ptm_effects.sv
 rtl/ptm_unit_back.sv
 rtl/ptm_draw_check.sv
 rtl/ptm_effect_registers.sv
+rtl/ptm_unit_draw_word.sv
+rtl/ptm_unit_events.sv
+rtl/ptm_unit_capabilities.sv
 rtl/ptm_unit_registers.sv
 rtl/ptm_half_fifo.sv
 rtl/ptm_unit_parameters.sv

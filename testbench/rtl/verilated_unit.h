@@ -30,6 +30,7 @@ struct RtlUnitPins {
   bool response = false;
   std::uint8_t tag = 0;
   reference::Line line{};
+  std::optional<reference::RegisterWrite> write = std::nullopt;
 };
 /// What is seen in that cycle, before the edge at its end.
 struct RtlUnitSeen {
@@ -39,6 +40,7 @@ struct RtlUnitSeen {
   bool request = false;
   std::uint32_t line = 0;
   std::uint8_t tag = 0;
+  bool interrupt = false;
 };
 
 /// One Verilated variant of the whole unit. Not to be shared between threads.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/reference/unit/register_map.h"
 #include "testbench/rtl/initial_values.h"
 #include "testbench/rtl/pending_lines.h"
 #include "testbench/rtl/unit_probe.h"
@@ -70,15 +71,26 @@ class VerilatedUnit final : public RtlUnit {
     pins_.mem_rsp_valid_i = pins.response;
     pins_.mem_rsp_tag_i = pins.tag;
     drive(pins.line);
+    if (pins.write) {
+      pins_.reg_we_i = 1;
+      pins_.reg_addr_i = pins.write->address;
+      pins_.reg_wdata_i = pins.write->data;
+    }
     dut_.eval();  // outputs may depend on inputs here
     const RtlUnitSeen now = seen();
     clock_edge();
+    pins_.reg_we_i = 0;
     return now;
   }
 
   [[nodiscard]] RtlUnitSeen seen() const override {
-    return {pins_.frag_ready_o != 0,    pins_.pix_valid_o != 0, pixel(),
-            pins_.mem_req_valid_o != 0, pins_.mem_req_line_o,   pins_.mem_req_tag_o};
+    return {pins_.frag_ready_o != 0,
+            pins_.pix_valid_o != 0,
+            pixel(),
+            pins_.mem_req_valid_o != 0,
+            pins_.mem_req_line_o,
+            pins_.mem_req_tag_o,
+            pins_.irq_o != 0};
   }
 
   void reset(bool memory_too) override {
@@ -120,9 +132,9 @@ class VerilatedUnit final : public RtlUnit {
   [[nodiscard]] reference::UnitCounters counters() override {
     reference::UnitCounters counters;
     for (unsigned n = 0; n < reference::kUnitCounters; ++n) {
-      const std::uint64_t low = read(static_cast<std::uint16_t>(kCounters + 2 * n));
-      counters.value[n] =
-          low | std::uint64_t{read(static_cast<std::uint16_t>(kCounters + 2 * n + 1))} << 32;
+      const unsigned low = reference::registers::kCounters + 2 * n;
+      counters.value[n] = read(static_cast<std::uint16_t>(low)) |
+                          std::uint64_t{read(static_cast<std::uint16_t>(low + 1))} << 32;
     }
     return counters;
   }
@@ -137,8 +149,9 @@ class VerilatedUnit final : public RtlUnit {
 
  private:
   using Cycle = pipeline::Cycle;
-  static constexpr std::uint16_t kCommand = 0x1000, kStatus = 0x1002, kState = 0x1003,
-                                 kCounters = 0x2000;
+  static constexpr std::uint16_t kCommand = reference::registers::kCommand,
+                                 kStatus = reference::registers::kErrors,
+                                 kState = reference::registers::kState;
   static constexpr unsigned kDrain = 16;         ///< cycles watched for a pixel too many
   static constexpr unsigned kCheckCycles = 256;  ///< far more than four draws' check takes
 

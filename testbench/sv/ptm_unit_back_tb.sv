@@ -29,11 +29,16 @@ module ptm_unit_back_tb #(
   output logic [31:0] reg_rdata_o,
   output logic        error_o,
   output logic        checking_o,
+  output logic        irq_o,
   input  logic        busy_i,
+  input  logic        accepted_i,
+  input  logic        last_taken_i,
   output logic        invalidate_o,
   output logic        clear_o,
   input  logic        mem_error_i,
   input  logic [7:0]  mem_error_tag_i,
+  input  logic        mem_failed_i,
+  input  logic [31:0] capabilities_i [ptm_unit_pkg::CapabilityWords],
   input  logic [63:0] counters_i [ptm_unit_pkg::Counters],
   input  logic        view_i,
   input  logic [1:0]  draw_i,
@@ -100,6 +105,10 @@ module ptm_unit_back_tb #(
   logic [14:0]                             pal_rgb_addr;
   logic [31:0]                             pal_data;
   assign counter = counter_number < 6'(ptm_unit_pkg::Counters) ? counters_i[counter_number] : '0;
+  logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities;
+  for (genvar n = 0; n < ptm_unit_pkg::CapabilityWords; n++) begin : gen_capabilities
+    assign capabilities[32*n +: 32] = capabilities_i[n];
+  end
   // A back without effects
   logic [ptm_unit_pkg::Draws*ptm_unit_pkg::EffectW-1:0] effects;
   logic        table_we, leaves;
@@ -111,11 +120,13 @@ module ptm_unit_back_tb #(
     .table_data_o(table_data),
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .error_o(error_o),
-    .checking_o(checking_o), .busy_i(busy_i), .invalidate_o(invalidate_o), .clear_o(clear_o),
-    .mem_error_i(mem_error_i), .mem_error_tag_i(mem_error_tag_i), .draining_i(1'b0),
-    .counter_number_o(counter_number),
-    .counter_i(counter), .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
-    .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
+    .checking_o(checking_o), .irq_o(irq_o), .busy_i(busy_i), .accepted_i(accepted_i),
+    .last_taken_i(last_taken_i), .invalidate_o(invalidate_o), .clear_o(clear_o),
+    .mem_error_i(mem_error_i), .mem_error_tag_i(mem_error_tag_i), .mem_failed_i(mem_failed_i),
+    .draining_i(1'b0), .counter_number_o(counter_number), .counter_i(counter),
+    .capabilities_i(capabilities), .pal_lrgb_we_o(pal_lrgb_we),
+    .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we), .pal_rgb_addr_o(pal_rgb_addr),
+    .pal_data_o(pal_data)
   );
 
   ptm_unit_pkg::draw_t draw;

@@ -23,7 +23,7 @@ module ptm_unit_replay_tb;
   reg  [1:0]  frag_draw;
   reg  [7:0]  rsp_tag;
   reg [511:0] rsp_line;
-  wire        frag_ready, req_valid, pix_valid, pix_lum, pix_color;
+  wire        irq, frag_ready, req_valid, pix_valid, pix_lum, pix_color;
   wire [25:0] req_line;
   wire [7:0]  req_tag, pix_alpha;
   wire [13:0] pix_x, pix_y;
@@ -31,7 +31,7 @@ module ptm_unit_replay_tb;
 
   ptm_unit dut (
     .clk_i(clk), .rst_ni(rst_n), .mem_rst_ni(mem_rst_n), .reg_we_i(reg_we), .reg_addr_i(reg_addr),
-    .reg_wdata_i(reg_wdata), .reg_rdata_o(reg_rdata), .frag_valid_i(frag_valid),
+    .reg_wdata_i(reg_wdata), .reg_rdata_o(reg_rdata), .irq_o(irq), .frag_valid_i(frag_valid),
     .frag_ready_o(frag_ready), .frag_x_i(frag_x), .frag_y_i(frag_y), .frag_u_i(frag_u),
     .frag_v_i(frag_v), .frag_lod_i(frag_lod), .frag_axis_u_i(frag_axis_u),
     .frag_axis_v_i(frag_axis_v), .frag_probes_log2_i(frag_probes_log2), .frag_lu_i(frag_lu),
@@ -62,7 +62,7 @@ module ptm_unit_replay_tb;
   task edge_of_clock;
     begin
       #1;
-      if (rst_n && (^{frag_ready, req_valid, pix_valid, reg_rdata}) === 1'bx)
+      if (rst_n && (^{frag_ready, req_valid, pix_valid, irq, reg_rdata}) === 1'bx)
         complain("a handshake or a register is X");
       clk = 1'b1;
       #1;

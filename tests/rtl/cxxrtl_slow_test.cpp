@@ -130,7 +130,7 @@ class CxxrtlUnitEqual : public testing::TestWithParam<testbench::RtlUnitVariant>
 bool same(const RtlUnitSeen& a, const RtlUnitSeen& b) {
   return a.ready == b.ready && a.pixel_valid == b.pixel_valid &&
          (!a.pixel_valid || a.pixel == b.pixel) && a.request == b.request &&
-         (!a.request || (a.line == b.line && a.tag == b.tag));
+         (!a.request || (a.line == b.line && a.tag == b.tag)) && a.interrupt == b.interrupt;
 }
 
 std::string text_of(const RtlUnitSeen& seen) {
@@ -181,6 +181,7 @@ void expect_equal_frame(testbench::RtlUnit& verilated, CxxrtlUnit& cxxrtl, const
   ASSERT_EQ(verilated.read(0x1002), 0U);
   ASSERT_EQ(cxxrtl.read(0x1002), 0U);
   write(0x1000, 3);
+  write(0x1009, 31);  // events interrupt
 
   RandomMemory memory(scene.state.memory, rng);
   std::vector<reference::UnitPixel> pixels;
@@ -206,6 +207,13 @@ void expect_equal_frame(testbench::RtlUnit& verilated, CxxrtlUnit& cxxrtl, const
     const auto address = static_cast<std::uint16_t>(0x2000 + n);
     EXPECT_EQ(verilated.read(address), cxxrtl.read(address)) << "counter " << n / 2;
   }
+  for (unsigned n = 0; n < 0x100; ++n) {
+    for (const unsigned first : {0U, 0x1000U, 0x2800U}) {
+      const auto address = static_cast<std::uint16_t>(first + n);
+      EXPECT_EQ(verilated.read(address), cxxrtl.read(address)) << "register " << first + n;
+    }
+  }
+  write(0x1008, 31);
 }
 
 TEST_P(CxxrtlUnitEqual, InEveryCycleAndCounterOfRandomScenes) {

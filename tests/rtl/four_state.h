@@ -91,6 +91,7 @@ class UnitRecording {
     out_ << "Q " << address << ' ' << unit_.read(address) << '\n';
   }
   testbench::RtlUnitSeen cycle(const testbench::RtlUnitPins& pins) {
+    if (pins.write) throw std::logic_error("a cycle with a write cannot be replayed");
     const testbench::RtlUnitSeen seen = unit_.cycle(pins);
     const reference::UnitFragment& f = pins.fragment;
     const auto bits = [](auto value, int count) {
@@ -157,7 +158,20 @@ class UnitRecording {
     }
     read(0x1002);
     read(0x1003);
+    read_registers();
     return pixels;
+  }
+
+  /// Every register that can be read, and some addresses that hold nothing.
+  void read_registers() {
+    for (unsigned address = 0; address < 0x100; ++address) {
+      read(static_cast<std::uint16_t>(address));
+      read(static_cast<std::uint16_t>(0x1000 + address));
+      read(static_cast<std::uint16_t>(0x2800 + address));
+      read(static_cast<std::uint16_t>(0x3000 + address));
+      read(static_cast<std::uint16_t>(0x4000 + address));
+      read(static_cast<std::uint16_t>(0x8000 + address));
+    }
   }
 
   [[nodiscard]] std::string text() const { return out_.str(); }

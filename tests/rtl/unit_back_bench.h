@@ -86,7 +86,10 @@ class UnitBack {
     dut.d_valid_i = 0;
     dut.pix_ready_i = 0;
     dut.mem_error_i = 0;
+    dut.mem_failed_i = 0;
     dut.busy_i = 0;
+    dut.accepted_i = 0;
+    dut.last_taken_i = 0;
     dut.clk_i = 0;
     dut.rst_ni = 1;
     dut.eval();

@@ -1,6 +1,7 @@
 // The unit's registers in RTL: every field where it belongs, the check of draws, status, counters.
 #include <gtest/gtest.h>
 
+#include "model/reference/unit/register_map.h"
 #include "tests/reference/unit_scene.h"
 #include "tests/rtl/unit_back_bench.h"
 #include "tests/rtl/unit_back_variants.h"
@@ -282,6 +283,96 @@ TEST_F(RtlUnitRegisters, TheCommandsArePulsesInTheCycleOfTheirWrite) {
   dut.reg_addr_i = 0x1001;
   dut.eval();
   EXPECT_FALSE(dut.invalidate_o || dut.clear_o);
+}
+
+TEST_F(RtlUnitRegisters, EveryEventIsSetByItsCauseClearedByOneWriteAndNotLostInBetween) {
+  namespace events = reference::events;
+  auto& dut = bench_.dut;
+  const auto cause = [&](std::uint32_t bits) {
+    dut.last_taken_i = (bits & events::kIdle) != 0;
+    dut.mem_error_i = (bits & events::kWrongTag) != 0;
+    dut.mem_failed_i = (bits & events::kFailedLine) != 0;
+  };
+  const std::uint32_t pins = events::kIdle | events::kWrongTag | events::kFailedLine;
+  for (std::uint32_t bits = 0; bits <= pins; ++bits) {
+    if ((bits & ~pins) != 0) continue;
+    for (std::uint32_t enable = 0; enable <= events::kAll; ++enable) {
+      bench_.write(0x1009, enable);
+      cause(bits);
+      bench_.write(0x1008, events::kAll);  // set and cleared in one cycle: set
+      cause(0);
+      EXPECT_EQ(bench_.read(0x1008), bits);
+      EXPECT_EQ(dut.irq_o, (bits & enable) != 0) << bits << ' ' << enable;
+      bench_.write(0x1008, ~bits);
+      EXPECT_EQ(bench_.read(0x1008), bits) << "cleared by the other bits";
+      bench_.write(0x1008, bits);
+      EXPECT_EQ(bench_.read(0x1008), 0U);
+      EXPECT_FALSE(dut.irq_o);
+    }
+  }
+  check(legal(), kLegalLines);
+  EXPECT_EQ(bench_.read(0x1008), 0U);
+  check(legal(), kLegalLines - 1);
+  EXPECT_EQ(bench_.read(0x1008), events::kDrawError);
+  bench_.write(0x1008, events::kDrawError);
+  EXPECT_EQ(bench_.read(0x1008), 0U);
+}
+
+TEST_F(RtlUnitRegisters, WhileFragmentsAreInsideOnlyWhatTheyDoNotReadIsWritten) {
+  auto& dut = bench_.dut;
+  struct Range {
+    unsigned first, last;
+    bool shared;
+  };
+  const std::array<Range, 14> ranges{{{0x0, 0xff, true},
+                                      {0x100, 0xfff, false},
+                                      {0x1001, 0x1001, true},
+                                      {0x1002, 0x1008, false},
+                                      {0x1009, 0x1009, false},
+                                      {0x100a, 0x27ff, false},
+                                      {0x2800, 0x287f, true},
+                                      {0x2880, 0x2fff, false},
+                                      {0x3000, 0x33ff, true},
+                                      {0x3400, 0x3fff, false},
+                                      {0x4000, 0x47ff, true},
+                                      {0x4800, 0x7fff, false},
+                                      {0x8000, 0x8001, true},
+                                      {0xfffe, 0xffff, true}}};
+  for (const bool entering : {false, true}) {
+    dut.busy_i = !entering;
+    dut.accepted_i = entering;
+    for (const Range& range : ranges) {
+      for (unsigned address = range.first; address <= range.last; ++address) {
+        bench_.write(address, 0);
+        EXPECT_EQ(bench_.read(0x1008), range.shared ? 16U : 0U) << std::hex << address;
+        bench_.write(0x1008, 16);
+      }
+    }
+    bench_.write(0x1001, 77);
+    EXPECT_EQ(bench_.read(0x1001), 0U);
+    bench_.write(0x1009, 3);
+    EXPECT_EQ(bench_.read(0x1009), 3U);
+    bench_.write(0x1008, 16);
+    bench_.write(0x1000, 2);
+    EXPECT_EQ(bench_.read(0x1008), 0U) << "counters may be cleared";
+    for (const unsigned command : {1U, 3U}) {
+      dut.reg_we_i = 1;
+      dut.reg_addr_i = 0x1000;
+      dut.reg_wdata_i = command;
+      dut.eval();
+      EXPECT_FALSE(dut.invalidate_o);
+      EXPECT_EQ(dut.clear_o, command >> 1);
+      bench_.edge();
+      dut.reg_we_i = 0;
+      EXPECT_EQ(bench_.read(0x1008), 16U);
+      bench_.write(0x1008, 16);
+    }
+    bench_.write(0x1009, 0);
+  }
+  dut.busy_i = dut.accepted_i = 0;
+  bench_.write(0x1001, 77);
+  EXPECT_EQ(bench_.read(0x1001), 77U);
+  EXPECT_EQ(bench_.read(0x1008), 0U);
 }
 
 TEST_F(RtlUnitRegisters, EveryCounterIsReadInTwoHalvesAndNothingLiesBehindThem) {

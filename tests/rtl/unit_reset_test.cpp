@@ -148,6 +148,8 @@ TEST_F(RtlUnitDrain, GoesOnThroughAnotherReset) {
 
 /// Descriptors and errors of draws are gone: a control alone makes a draw of no size.
 TEST_F(RtlUnitDrain, ForgetsDrawsAndTheirErrors) {
+  unit_->reset(true);  // with fragments inside it would not take the write
+  write_registers(*unit_, scene_.state);
   unit_->write(0, 7);  // a format of no meaning
   for (int n = 0; n < 30; ++n) unit_->write(0x1000, 0);
   EXPECT_EQ(unit_->read(0x1002), 8U);

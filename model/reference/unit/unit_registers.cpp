@@ -2,15 +2,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/reference/unit/register_map.h"
 #include "model/reference/unit/unit_memory.h"
 
 namespace ptm::reference {
 namespace {
 
-constexpr unsigned kDrawStride = 64, kMapBase = 16, kColorBase = 32;
-constexpr unsigned kMemoryLinesAddress = 0x1001;
-constexpr unsigned kSetAddress = 0x2800, kTableAddress = 0x3000;
-constexpr unsigned kLrgbAddress = 0x4000, kRgbAddress = 0x8000;
+using namespace registers;
 
 /// A value at [low + bits - 1 : low]; two's complement if signed.
 std::uint32_t field(const char* name, Value value, int low, int bits, bool is_signed = false) {
@@ -57,8 +55,8 @@ void write_palettes(const Palettes& palettes, std::vector<RegisterWrite>& out) {
       }
     }
   };
-  table(palettes.lrgb, kLrgbAddress, 2);
-  table(palettes.rgb, kRgbAddress, 8);
+  table(palettes.lrgb, kLrgbPalettes, 2);
+  table(palettes.rgb, kRgbPalette, 8);
 }
 
 std::uint32_t bias_and_shift(Value bias, Value shift) {
@@ -87,12 +85,12 @@ void write_effects(const DrawEffects& effects, unsigned number, const EffectTabl
   add(false, d + 14, effects.argument);
   for (unsigned s = 0; s < kExtraSets; ++s) {
     for (unsigned i = 0; i < 6; ++i) {
-      add(static_cast<int>(s) < effects.sets, kSetAddress + 32 * number + 8 * s + i,
+      add(static_cast<int>(s) < effects.sets, kSets + 32 * number + 8 * s + i,
           bias_and_shift(effects.bias[s][i], effects.shift[s][i]));
     }
   }
   for (unsigned i = 0; i < table.size(); ++i) {
-    add(effects.stages != 0, kTableAddress + 256 * number + i,
+    add(effects.stages != 0, kTables + 256 * number + i,
         field("an entry of the table", table[i], 0, 12));
   }
 }
@@ -129,7 +127,7 @@ std::vector<RegisterWrite> register_writes(const UnitState& state) {
     throw std::invalid_argument("lines of memory = " + std::to_string(lines) +
                                 ", expected at most " + std::to_string(Value{1} << kLineBits));
   }
-  out.push_back(write(kMemoryLinesAddress, static_cast<std::uint32_t>(lines)));
+  out.push_back(write(kMemoryLines, static_cast<std::uint32_t>(lines)));
   write_palettes(state.palettes, out);
   for (std::size_t d = 0; d < state.draws.size(); ++d) {
     const EffectTable table = d < state.tables.size() ? state.tables[d] : EffectTable{};

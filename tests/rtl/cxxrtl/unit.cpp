@@ -28,6 +28,11 @@ class Unit final : public CxxrtlUnit {
     for (unsigned w = 0; w < reference::kLineWords; ++w) {
       dut_.p_mem__rsp__line__i.data[w] = pins.line[w];
     }
+    if (pins.write) {
+      set_port(dut_.p_reg__we__i, 1);
+      set_port(dut_.p_reg__addr__i, pins.write->address);
+      set_port(dut_.p_reg__wdata__i, pins.write->data);
+    }
     dut_.step();
     testbench::RtlUnitSeen seen;
     seen.ready = port_bits(dut_.p_frag__ready__o) != 0;
@@ -43,7 +48,9 @@ class Unit final : public CxxrtlUnit {
     seen.request = port_bits(dut_.p_mem__req__valid__o) != 0;
     seen.line = port_bits(dut_.p_mem__req__line__o);
     seen.tag = static_cast<std::uint8_t>(port_bits(dut_.p_mem__req__tag__o));
+    seen.interrupt = port_bits(dut_.p_irq__o) != 0;
     clock_cycle();
+    set_port(dut_.p_reg__we__i, 0);
     return seen;
   }
 
