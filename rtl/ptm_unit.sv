@@ -80,6 +80,7 @@ module ptm_unit #(
   input  logic         mem_rsp_valid_i,
   input  logic [7:0]   mem_rsp_tag_i,
   input  logic [511:0] mem_rsp_line_i,
+  input  logic         mem_rsp_error_i,  // the line could not be read: whatever the line then is
   // Pixels, in the order of their fragments
   output logic                               pix_valid_o,
   input  logic                               pix_ready_i,
@@ -88,7 +89,8 @@ module ptm_unit #(
   output logic [23:0]                        pix_rgb_o,  // red lowest
   output logic [7:0]                         pix_alpha_o,
   output logic                               pix_lum_saturated_o,
-  output logic                               pix_color_saturated_o
+  output logic                               pix_color_saturated_o,
+  output logic                               pix_mem_error_o  // of a line that could not be read
 );
   ptm_unit_parameters #(
     .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
@@ -125,9 +127,7 @@ module ptm_unit #(
   ) u_capabilities (
     .words_o(capabilities)
   );
-  // No response says that its line could not be read: the memory port has no such pin.
   logic mem_failed;
-  assign mem_failed = 1'b0;
   ptm_unit_registers #(
     .HalfVector(HalfVector), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_registers (
@@ -194,7 +194,7 @@ module ptm_unit #(
   end
 
   // D
-  logic                                d_valid, d_ready;
+  logic                                d_valid, d_ready, d_error;
   ptm_unit_pkg::beat_t                 d_beat;
   logic [Tmus*ptm_unit_pkg::TapsW-1:0] d_taps;
   logic [2:0] inc_palette, inc_combine;
@@ -213,8 +213,9 @@ module ptm_unit #(
     .fragment_i(fragment), .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
     .mem_req_line_o(mem_req_line_o), .mem_req_tag_o(mem_req_tag_o),
     .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_tag_i(mem_rsp_tag_i),
-    .mem_rsp_line_i(mem_rsp_line_i), .mem_error_o(mem_error), .d_valid_o(d_valid),
-    .d_ready_i(d_ready), .d_beat_o(d_beat), .d_taps_o(d_taps),
+    .mem_rsp_line_i(mem_rsp_line_i), .mem_rsp_error_i(mem_rsp_error_i), .mem_error_o(mem_error),
+    .mem_failed_o(mem_failed), .d_valid_o(d_valid), .d_ready_i(d_ready), .d_beat_o(d_beat),
+    .d_taps_o(d_taps), .d_error_o(d_error),
     .pixel_taken_i(pix_valid_o && pix_ready_i), .inc_palette_i(inc_palette),
     .inc_filter_i(inc_filter), .inc_eval_i(inc_eval), .inc_combine_i(inc_combine),
     .inc_effects_i(inc_effects)
@@ -238,5 +239,11 @@ module ptm_unit #(
     .pix_lum_saturated_o(pix_lum_saturated_o), .pix_color_saturated_o(pix_color_saturated_o),
     .inc_palette_o(inc_palette), .inc_filter_o(inc_filter), .inc_eval_o(inc_eval),
     .inc_combine_o(inc_combine), .inc_effects_o(inc_effects)
+  );
+
+  ptm_unit_failures u_failures (
+    .clk_i(clk_i), .rst_ni(rst_ni), .leaves_i(d_valid && d_ready), .failed_i(d_error),
+    .last_i(d_beat.last && d_beat.sub_last), .taken_i(pix_valid_o && pix_ready_i),
+    .failed_o(pix_mem_error_o)
   );
 endmodule

@@ -1,4 +1,5 @@
-// One data bank of one TMU's cache: a line's four words of one texel parity a row. One port to
+// One data bank of one TMU's cache: a line's four words of one texel parity a row, and whether the
+// line could not be read. One port to
 // write rows, one to read them; a read in the cycle of a write gives what stood there before. The
 // read register is D, behind which the word is chosen.
 module ptm_unit_data_bank #(
@@ -11,21 +12,23 @@ module ptm_unit_data_bank #(
   input  logic                 write_i,
   input  logic [RowBits-1:0]   write_row_i,
   input  logic [LineWidth-1:0] line_i,
+  input  logic                 failed_i,
   input  logic                 read_i,
   input  logic [RowBits-1:0]   read_row_i,
   input  logic [1:0]           read_word_i,  // {j[1], i[1]}
-  output logic [31:0]          read_data_o
+  output logic [31:0]          read_data_o,
+  output logic                 read_failed_o
 );
   localparam int First = Bank / 2 * 4 + Bank % 2;  // word of the line
 
-  logic [127:0] row;
+  logic [127:0] row;  // of words
   ptm_ram #(
-    .Depth(Rows), .Width(128)
+    .Depth(Rows), .Width(129)
   ) u_row (
     .clk_i(clk_i), .write_i(write_i), .write_address_i(write_row_i),
-    .write_data_i({line_i[32*(First+10) +: 32], line_i[32*(First+8) +: 32],
+    .write_data_i({failed_i, line_i[32*(First+10) +: 32], line_i[32*(First+8) +: 32],
                    line_i[32*(First+2) +: 32], line_i[32*First +: 32]}),
-    .read_i(read_i), .read_address_i(read_row_i), .read_data_o(row)
+    .read_i(read_i), .read_address_i(read_row_i), .read_data_o({read_failed_o, row})
   );
   logic [1:0] word_q;
   always_ff @(posedge clk_i) if (read_i) word_q <= read_word_i;

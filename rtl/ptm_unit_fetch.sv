@@ -19,6 +19,7 @@ module ptm_unit_fetch #(
   input  logic [Tmus-1:0]                rank_i,
   input  logic [Tmus*RowBits-1:0]        row_i,
   input  logic [Tmus*LineWidth-1:0]      line_i,
+  input  logic [Tmus-1:0]                failed_i,  // lines that could not be read
   // Beat
   input  logic                valid_i,
   output logic                ready_o,
@@ -29,7 +30,8 @@ module ptm_unit_fetch #(
   output logic                valid_o,
   input  logic                ready_i,
   output ptm_unit_pkg::beat_t beat_o,
-  output logic [Tmus*TapsW-1:0] taps_o
+  output logic [Tmus*TapsW-1:0] taps_o,
+  output logic                failed_o  // a fetched tap is of a line that could not be read
 );
   logic                f_valid, f_ready, f_load, d_load;
   ptm_unit_pkg::beat_t f_beat_q, d_beat_q;
@@ -57,15 +59,17 @@ module ptm_unit_fetch #(
   ptm_unit_taps u_color (.taken_i(f_color_q), .sources_o(color_sources));
 
   logic [Tmus-1:0] f_color;  // the texture of the TMU's word
+  logic [Tmus-1:0] failed;
   for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
     ptm_unit_tmu_fetch #(
       .Rows(Rows)
     ) u_tmu (
       .clk_i(clk_i), .write_i(commit_i && rank_i[t]), .write_row_i(row_i[t*RowBits +: RowBits]),
-      .line_i(line_i[t*LineWidth +: LineWidth]), .f_load_i(f_load),
+      .line_i(line_i[t*LineWidth +: LineWidth]), .failed_i(failed_i[t]), .f_load_i(f_load),
       .reads_i(reads_i[t*ReadsW +: ReadsW]), .f_color_o(f_color[t]),
       .sources_i(f_color[t] ? color_sources : map_sources), .d_load_i(d_load),
-      .taps_o(taps_o[t*TapsW +: TapsW])
+      .taps_o(taps_o[t*TapsW +: TapsW]), .failed_o(failed[t])
     );
   end
+  assign failed_o = failed != '0;
 endmodule

@@ -41,13 +41,16 @@ module ptm_unit_front #(
   input  logic                      mem_rsp_valid_i,
   input  logic [7:0]                mem_rsp_tag_i,
   input  logic [LineWidth-1:0]      mem_rsp_line_i,
+  input  logic                      mem_rsp_error_i,  // the line could not be read
   output logic                      mem_error_o,   // with the response that nobody waits for
+  output logic                      mem_failed_o,  // with the response of a line that failed
   output logic                      draining_o,    // answers from before the reset are awaited
   // D
   output logic                      d_valid_o,
   input  logic                      d_ready_i,
   output ptm_unit_pkg::beat_t       d_beat_o,
   output logic [Tmus*ptm_unit_pkg::TapsW-1:0] d_taps_o,  // taps_t, TMU 0 lowest
+  output logic                      d_error_o,  // one of the taps is of a line that failed
   // From behind D: a pixel is taken, counters' increments
   input  logic                      pixel_taken_i,
   input  logic [2:0]                inc_palette_i,
@@ -133,6 +136,7 @@ module ptm_unit_front #(
   logic                usable, commit, give_back;
   logic [Tmus*ptm_unit_front_pkg::RowBits-1:0] rank_row;
   logic [Tmus*LineWidth-1:0]                   rank_line;
+  logic [Tmus-1:0]     rank_failed;
   logic                k_valid, k_holds, f_ready;
   ptm_unit_pkg::beat_t k_beat;
   logic [2*TakenW-1:0]    k_taken;
@@ -153,8 +157,9 @@ module ptm_unit_front #(
     .miss_valid_i(miss_valid), .miss_line_i(miss_line), .miss_push_i(miss_push), .miss_fits_o(miss_fits), .req_valid_o(mem_req_valid_o),
     .req_ready_i(mem_req_ready_i), .req_line_o(mem_req_line_o), .req_tag_o(mem_req_tag_o),
     .rsp_valid_i(mem_rsp_valid_i), .rsp_tag_i(mem_rsp_tag_i), .rsp_line_i(mem_rsp_line_i),
-    .rsp_error_o(mem_error_o), .rank_i(rank), .usable_o(usable), .commit_i(commit),
-    .release_i(give_back), .line_o(rank_line)
+    .rsp_failed_i(mem_rsp_error_i), .rsp_error_o(mem_error_o), .line_failed_o(mem_failed_o),
+    .rank_i(rank), .usable_o(usable), .commit_i(commit), .release_i(give_back),
+    .line_o(rank_line), .failed_o(rank_failed)
   );
 
   // F, D
@@ -162,9 +167,9 @@ module ptm_unit_front #(
     .Tmus(Tmus), .Rows(Rows)
   ) u_fetch (
     .clk_i(clk_i), .rst_ni(rst_ni), .commit_i(commit), .rank_i(rank), .row_i(rank_row),
-    .line_i(rank_line), .valid_i(k_valid), .ready_o(f_ready), .beat_i(k_beat),
+    .line_i(rank_line), .failed_i(rank_failed), .valid_i(k_valid), .ready_o(f_ready), .beat_i(k_beat),
     .taken_i(k_taken), .reads_i(k_reads), .valid_o(d_valid_o), .ready_i(d_ready_i),
-    .beat_o(d_beat_o), .taps_o(d_taps_o)
+    .beat_o(d_beat_o), .taps_o(d_taps_o), .failed_o(d_error_o)
   );
 
   ptm_unit_counters #(

@@ -15,10 +15,12 @@ module ptm_unit_miss_bank #(
   input  logic               write_i,
   input  logic [RowBits-1:0] write_row_i,
   input  logic [Width-1:0]   write_line_i,
+  input  logic               write_failed_i,
   // The next row's line
   output logic               valid_o,
   input  logic               take_i,  // only while valid_o
-  output logic [Width-1:0]   line_o
+  output logic [Width-1:0]   line_o,
+  output logic               failed_o  // it could not be read
 );
   logic [Rows-1:0]    written_q;  // and not read yet
   logic [RowBits-1:0] row_q, row_after, read_row;
@@ -27,10 +29,11 @@ module ptm_unit_miss_bank #(
   assign read_row  = take_i ? row_after : row_q;
   assign read      = written_q[read_row];
   ptm_ram #(
-    .Depth(Rows), .Width(Width)
+    .Depth(Rows), .Width(Width + 1)
   ) u_line (
-    .clk_i(clk_i), .write_i(write_i), .write_address_i(write_row_i), .write_data_i(write_line_i),
-    .read_i(read), .read_address_i(read_row), .read_data_o(line_o)
+    .clk_i(clk_i), .write_i(write_i), .write_address_i(write_row_i),
+    .write_data_i({write_failed_i, write_line_i}), .read_i(read), .read_address_i(read_row),
+    .read_data_o({failed_o, line_o})
   );
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -47,7 +50,7 @@ module ptm_unit_miss_bank #(
   assign valid_o = valid_q;
 
   `PTM_ASSERT(TakenWhenValid_A, !take_i || valid_o)
-  `PTM_ASSERT(OfferedIsWhatWasWritten_A, !valid_o || line_o == u_line.word_q[row_q])
+  `PTM_ASSERT(OfferedIsWhatWasWritten_A, !valid_o || {failed_o, line_o} == u_line.word_q[row_q])
   `PTM_ASSERT(WrittenWhenEmpty_A,
               !write_i || (!written_q[write_row_i] && !(valid_o && write_row_i == row_q)))
 endmodule

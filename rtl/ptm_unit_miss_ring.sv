@@ -37,14 +37,17 @@ module ptm_unit_miss_ring #(
   input  logic                 rsp_valid_i,
   input  logic [7:0]           rsp_tag_i,
   input  logic [LineWidth-1:0] rsp_line_i,
+  input  logic                 rsp_failed_i,  // the line could not be read
   output logic                 rsp_error_o,  // no request of that tag is outstanding
+  output logic                 line_failed_o, // a line that is waited for could not be read
   output logic                 draining_o,   // answers from before the reset are awaited
   // K: the lines of its rank
   input  logic [Tmus-1:0]      rank_i,       // TMUs that have one
   output logic                 usable_o,     // all of them are there
   input  logic                 commit_i,     // they are taken
   input  logic                 release_i,    // with the beat's last rank, or without misses
-  output logic [Tmus*LineWidth-1:0] line_o
+  output logic [Tmus*LineWidth-1:0] line_o,
+  output logic [Tmus-1:0]           failed_o  // lines that could not be read
 );
   localparam int Rows      = (MissFifo + 3) / 4;  // of a bank
   localparam int RowBits   = Rows == 1 ? 1 : $clog2(Rows);
@@ -141,6 +144,7 @@ module ptm_unit_miss_ring #(
   logic                 owed;
   assign owed        = draining_q ? rsp_valid_i && owed_q != '0 : response;
   assign rsp_error_o = rsp_valid_i && !owed;
+  assign line_failed_o = response && rsp_failed_i;
   assign draining_o  = draining_q;
   always_ff @(posedge clk_i or negedge mem_rst_ni) begin
     if (!mem_rst_ni) owed_q <= '0;
@@ -153,7 +157,7 @@ module ptm_unit_miss_ring #(
 
   // Commit
   logic [1:0]             committed;
-  logic [3:0]             bank_valid, bank_taken;
+  logic [3:0]             bank_valid, bank_failed, bank_taken;
   logic [4*LineWidth-1:0] bank_line;
   assign committed = lines_before(rank_i, Tmus);
   for (genvar b = 0; b < 4; b++) begin : gen_line
@@ -161,8 +165,9 @@ module ptm_unit_miss_ring #(
       .Rows(Rows), .Width(LineWidth)
     ) u_bank (
       .clk_i(clk_i), .rst_ni(rst_ni), .write_i(response && response_slot[1:0] == 2'(b)),
-      .write_row_i(row_of(response_slot)), .write_line_i(rsp_line_i), .valid_o(bank_valid[b]),
-      .take_i(bank_taken[b]), .line_o(bank_line[b*LineWidth +: LineWidth])
+      .write_row_i(row_of(response_slot)), .write_line_i(rsp_line_i),
+      .write_failed_i(rsp_failed_i), .valid_o(bank_valid[b]), .take_i(bank_taken[b]),
+      .line_o(bank_line[b*LineWidth +: LineWidth]), .failed_o(bank_failed[b])
     );
     // Of the rank's lines, the one that follows the head as far as this bank does
     assign bank_taken[b] = commit_i && 2'(2'(b) - head_q) < committed;
@@ -179,6 +184,7 @@ module ptm_unit_miss_ring #(
       if (commit_i && rank_i[t]) line = bank_line[bank*LineWidth +: LineWidth];
     end
     assign line_o[t*LineWidth +: LineWidth] = line;
+    assign failed_o[t] = commit_i && rank_i[t] && bank_failed[bank];
   end
   assign usable_o = there == '1;
 

@@ -13,13 +13,15 @@ module ptm_unit_tmu_fetch #(
   input  logic                         write_i,
   input  logic [RowBits-1:0]           write_row_i,
   input  logic [LineWidth-1:0]         line_i,
+  input  logic                         failed_i,  // it could not be read
   // F takes over a beat; D does
   input  logic                         f_load_i,
   input  ptm_unit_front_pkg::reads_t   reads_i,
   output logic                         f_color_o,  // its word in F is of the colour texture
   input  ptm_unit_front_pkg::sources_t sources_i,  // that texture's: ptm_unit_taps
   input  logic                         d_load_i,
-  output ptm_unit_pkg::taps_t          taps_o
+  output ptm_unit_pkg::taps_t          taps_o,
+  output logic                         failed_o   // a fetched tap is of a line that could not be read
 );
   localparam int PlaceBits = $clog2(Rows);
   localparam int LineBits  = PlaceBits - 2;  // of a line's place within its tag bank
@@ -39,6 +41,7 @@ module ptm_unit_tmu_fetch #(
   logic [3:0]  read;
   logic [15:0] at;             // by bank: {tile, word}
   logic [31:0] bank_word [4];  // of each bank, the word that its taps want
+  logic [3:0]  bank_failed;    // and whether its line could not be read
   assign read = d_load_i && reads_q.fetched ? sources_i.here : '0;
   assign at   = sources_i.at;
   for (genvar b = 0; b < 4; b++) begin : gen_bank
@@ -50,8 +53,8 @@ module ptm_unit_tmu_fetch #(
       .Rows(Rows), .Bank(b)
     ) u_bank (
       .clk_i(clk_i), .write_i(write_i), .write_row_i(write_row_i[PlaceBits-1:0]),
-      .line_i(line_i), .read_i(read[b]), .read_row_i(row), .read_word_i(at[b*4 +: 2]),
-      .read_data_o(bank_word[b])
+      .line_i(line_i), .failed_i(failed_i), .read_i(read[b]), .read_row_i(row),
+      .read_word_i(at[b*4 +: 2]), .read_data_o(bank_word[b]), .read_failed_o(bank_failed[b])
     );
   end
 
@@ -60,5 +63,12 @@ module ptm_unit_tmu_fetch #(
     taps_o.fetched = d_fetched_q;
     taps_o.word    = {bank_word[d_bank_q[7:6]], bank_word[d_bank_q[5:4]],
                       bank_word[d_bank_q[3:2]], bank_word[d_bank_q[1:0]]};
+  end
+
+  always_comb begin
+    failed_o = 1'b0;
+    for (int tap = 0; tap < 4; tap++) begin
+      if (d_fetched_q[tap] && bank_failed[d_bank_q[tap*2 +: 2]]) failed_o = 1'b1;
+    end
   end
 endmodule

@@ -31,6 +31,7 @@ rtl/ptm_unit_taps.sv
 rtl/ptm_unit_tmu_fetch.sv
 rtl/ptm_unit_fetch.sv
 rtl/ptm_unit_counters.sv
+rtl/ptm_unit_failures.sv
 rtl/ptm_unit_front.sv
 rtl/ptm_draw_select.sv
 rtl/ptm_palette_schedule.sv

@@ -30,6 +30,7 @@ struct RtlUnitPins {
   bool response = false;
   std::uint8_t tag = 0;
   reference::Line line{};
+  bool failed = false;  ///< the line could not be read
   std::optional<reference::RegisterWrite> write = std::nullopt;
 };
 /// What is seen in that cycle, before the edge at its end.

@@ -2,6 +2,7 @@
 // The Verilated class behind RtlUnit; included by one generated file a variant.
 #include <verilated.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ class VerilatedUnit final : public RtlUnit {
 
   void load(const reference::UnitState& state) override {
     memory_ = state.memory;
+    failed_ = state.failed;
     writes_ = register_writes(state);
     start();
     const std::uint32_t status = read(kStatus);
@@ -71,6 +73,7 @@ class VerilatedUnit final : public RtlUnit {
     pins_.mem_rsp_valid_i = pins.response;
     pins_.mem_rsp_tag_i = pins.tag;
     drive(pins.line);
+    pins_.mem_rsp_error_i = pins.failed;
     if (pins.write) {
       pins_.reg_we_i = 1;
       pins_.reg_addr_i = pins.write->address;
@@ -205,7 +208,8 @@ class VerilatedUnit final : public RtlUnit {
              static_cast<std::uint8_t>(rgba >> 16)},
             static_cast<std::uint8_t>(rgba >> 24),
             pins_.pix_lum_saturated_o != 0,
-            pins_.pix_color_saturated_o != 0};
+            pins_.pix_color_saturated_o != 0,
+            pins_.pix_mem_error_o != 0};
   }
 
   /// The one loop of all frames.
@@ -282,6 +286,7 @@ class VerilatedUnit final : public RtlUnit {
   bool answer(const std::optional<pipeline::MemoryFault>& fault) {
     const PendingLines::Answer due = pending_.take();
     drive(memory_[due.line]);
+    pins_.mem_rsp_error_i = failed_.contains(due.line);
     pins_.mem_rsp_tag_i = due.tag;
     if (!fault || fault->index != due.index) return false;
     unsigned other = due.tag;
@@ -315,6 +320,7 @@ class VerilatedUnit final : public RtlUnit {
 
   std::string name_;
   std::vector<reference::Line> memory_;
+  std::set<std::uint32_t> failed_;  ///< lines of it that cannot be read
   std::vector<reference::RegisterWrite> writes_;
   PendingLines pending_;
   pipeline::StreamTiming request_stall_;

@@ -14,7 +14,7 @@ module ptm_unit_replay_tb;
   reg  [15:0] reg_addr;
   reg  [31:0] reg_wdata;
   wire [31:0] reg_rdata;
-  reg         frag_valid, frag_lit, pix_ready, req_ready, rsp_valid;
+  reg         frag_valid, frag_lit, pix_ready, req_ready, rsp_valid, rsp_error;
   reg  [13:0] frag_x, frag_y;
   reg  [28:0] frag_u, frag_v, frag_axis_u, frag_axis_v;
   reg  [11:0] frag_lod;
@@ -23,7 +23,7 @@ module ptm_unit_replay_tb;
   reg  [1:0]  frag_draw;
   reg  [7:0]  rsp_tag;
   reg [511:0] rsp_line;
-  wire        irq, frag_ready, req_valid, pix_valid, pix_lum, pix_color;
+  wire        irq, frag_ready, req_valid, pix_valid, pix_lum, pix_color, pix_error;
   wire [25:0] req_line;
   wire [7:0]  req_tag, pix_alpha;
   wire [13:0] pix_x, pix_y;
@@ -38,16 +38,18 @@ module ptm_unit_replay_tb;
     .frag_lv_i(frag_lv), .frag_hu_i(frag_hu), .frag_hv_i(frag_hv), .frag_lit_i(frag_lit),
     .frag_draw_i(frag_draw), .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
     .mem_req_line_o(req_line), .mem_req_tag_o(req_tag), .mem_rsp_valid_i(rsp_valid),
-    .mem_rsp_tag_i(rsp_tag), .mem_rsp_line_i(rsp_line), .pix_valid_o(pix_valid),
+    .mem_rsp_tag_i(rsp_tag), .mem_rsp_line_i(rsp_line), .mem_rsp_error_i(rsp_error),
+    .pix_valid_o(pix_valid),
     .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y), .pix_rgb_o(pix_rgb),
-    .pix_alpha_o(pix_alpha), .pix_lum_saturated_o(pix_lum), .pix_color_saturated_o(pix_color)
+    .pix_alpha_o(pix_alpha), .pix_lum_saturated_o(pix_lum), .pix_color_saturated_o(pix_color),
+    .pix_mem_error_o(pix_error)
   );
 
   integer file, got, line_number, wrong, cycles;
   reg [8*8-1:0]    command;
   reg [8*1024-1:0] name;
   reg [31:0]       number, value;
-  reg        x_frag_ready, x_req_valid, x_pix_valid, x_lum, x_color;
+  reg        x_frag_ready, x_req_valid, x_pix_valid, x_lum, x_color, x_error;
   reg [25:0] x_line;
   reg [7:0]  x_tag, x_alpha;
   reg [13:0] x_x, x_y;
@@ -85,7 +87,7 @@ module ptm_unit_replay_tb;
     reg_addr = 16'd0;
     reg_wdata = 32'd0;
     {frag_x, frag_y, frag_u, frag_v, frag_axis_u, frag_axis_v, frag_lod, frag_probes_log2} = 0;
-    {frag_lu, frag_lv, frag_hu, frag_hv, frag_draw, frag_lit, rsp_tag, rsp_line} = 0;
+    {frag_lu, frag_lv, frag_hu, frag_hv, frag_draw, frag_lit, rsp_tag, rsp_error, rsp_line} = 0;
     line_number = 0;
     wrong = 0;
     cycles = 0;
@@ -109,7 +111,7 @@ module ptm_unit_replay_tb;
           // What the caller need not drive may be anything.
           {frag_x, frag_y, frag_u, frag_v, frag_axis_u, frag_axis_v} = {146{1'bx}};
           {frag_lod, frag_probes_log2, frag_lu, frag_lv, frag_hu, frag_hv} = {83{1'bx}};
-          {frag_draw, frag_lit, rsp_tag, reg_wdata} = {43{1'bx}};
+          {frag_draw, frag_lit, rsp_tag, rsp_error, reg_wdata} = {44{1'bx}};
           rsp_line = {512{1'bx}};
         end
         "I": begin
@@ -141,18 +143,18 @@ module ptm_unit_replay_tb;
                         frag_v, frag_lod, frag_axis_u, frag_axis_v, frag_probes_log2);
           got = $fscanf(file, "%h %h %h %h %h %h", frag_lu, frag_lv, frag_hu, frag_hv, frag_lit,
                         frag_draw);
-          got = $fscanf(file, "%h %h %h %h %h", pix_ready, req_ready, rsp_valid, rsp_tag,
-                        rsp_line);
+          got = $fscanf(file, "%h %h %h %h %h %h", pix_ready, req_ready, rsp_valid, rsp_tag,
+                        rsp_error, rsp_line);
           got = $fscanf(file, "%h %h %h %h", x_frag_ready, x_req_valid, x_line, x_tag);
-          got = $fscanf(file, "%h %h %h %h %h %h %h", x_pix_valid, x_x, x_y, x_rgb, x_alpha, x_lum,
-                        x_color);
-          if (got != 7) complain("this line cannot be read");
+          got = $fscanf(file, "%h %h %h %h %h %h %h %h", x_pix_valid, x_x, x_y, x_rgb, x_alpha,
+                        x_lum, x_color, x_error);
+          if (got != 8) complain("this line cannot be read");
           if (!frag_valid) begin
             {frag_x, frag_y, frag_u, frag_v, frag_axis_u, frag_axis_v} = {146{1'bx}};
             {frag_lod, frag_probes_log2, frag_lu, frag_lv, frag_hu, frag_hv} = {83{1'bx}};
             {frag_draw, frag_lit} = 3'bxxx;
           end
-          if (!rsp_valid) {rsp_tag, rsp_line} = {520{1'bx}};
+          if (!rsp_valid) {rsp_tag, rsp_error, rsp_line} = {521{1'bx}};
           #1;
           if (frag_ready !== x_frag_ready) complain("the fragments' ready differs");
           if (req_valid !== x_req_valid) complain("the requests' valid differs");
@@ -162,13 +164,13 @@ module ptm_unit_replay_tb;
               $display("  line %h tag %h, expected %h %h", req_line, req_tag, x_line, x_tag);
           end
           if (pix_valid !== x_pix_valid) complain("the pixels' valid differs");
-          if (x_pix_valid && {pix_x, pix_y, pix_rgb, pix_alpha, pix_lum, pix_color} !==
-              {x_x, x_y, x_rgb, x_alpha, x_lum, x_color}) begin
+          if (x_pix_valid && {pix_x, pix_y, pix_rgb, pix_alpha, pix_lum, pix_color, pix_error} !==
+              {x_x, x_y, x_rgb, x_alpha, x_lum, x_color, x_error}) begin
             complain("a pixel differs");
             if (wrong <= 10)
-              $display("  (%h, %h) rgb %h alpha %h flags %b%b, expected (%h, %h) %h %h %b%b", pix_x,
-                       pix_y, pix_rgb, pix_alpha, pix_lum, pix_color, x_x, x_y, x_rgb, x_alpha,
-                       x_lum, x_color);
+              $display("  (%h, %h) rgb %h alpha %h flags %b%b%b, expected (%h, %h) %h %h %b%b%b",
+                       pix_x, pix_y, pix_rgb, pix_alpha, pix_lum, pix_color, pix_error, x_x, x_y,
+                       x_rgb, x_alpha, x_lum, x_color, x_error);
           end
           edge_of_clock;
         end

@@ -63,6 +63,7 @@ module ptm_unit_tb #(
   input  logic               mem_rsp_valid_i,
   input  logic        [7:0]  mem_rsp_tag_i,
   input  logic       [511:0] mem_rsp_line_i,
+  input  logic               mem_rsp_error_i,
   output logic               pix_valid_o,
   input  logic               pix_ready_i,
   output logic        [15:0] pix_x_o,
@@ -70,6 +71,7 @@ module ptm_unit_tb #(
   output logic        [31:0] pix_rgba_o,  // red lowest
   output logic               pix_lum_saturated_o,
   output logic               pix_color_saturated_o,
+  output logic               pix_mem_error_o,
   input  logic        [7:0]  probe_i,
   output logic        [31:0] probe_o
 );
@@ -124,6 +126,7 @@ module ptm_unit_tb #(
     .mem_rsp_valid_i      (mem_rsp_valid_i),
     .mem_rsp_tag_i        (mem_rsp_tag_i),
     .mem_rsp_line_i       (mem_rsp_line_i),
+    .mem_rsp_error_i      (mem_rsp_error_i),
     .pix_valid_o          (pix_valid_o),
     .pix_ready_i          (pix_ready_i),
     .pix_x_o              (x),
@@ -131,7 +134,8 @@ module ptm_unit_tb #(
     .pix_rgb_o            (pix_rgba_o[23:0]),
     .pix_alpha_o          (pix_rgba_o[31:24]),
     .pix_lum_saturated_o  (pix_lum_saturated_o),
-    .pix_color_saturated_o(pix_color_saturated_o)
+    .pix_color_saturated_o(pix_color_saturated_o),
+    .pix_mem_error_o      (pix_mem_error_o)
   );
 
   // The miss ring's oldest line

@@ -102,7 +102,7 @@ class UnitRecording {
          << ' ' << int{f.probes_log2} << ' ' << bits(f.lu, 17) << ' ' << bits(f.lv, 17) << ' '
          << bits(f.hu, 17) << ' ' << bits(f.hv, 17) << ' ' << f.lit << ' ' << int{f.draw} << ' '
          << pins.pixel_ready << ' ' << pins.request_ready << ' ' << pins.response << ' '
-         << int{pins.tag} << ' ' << std::setfill('0');
+         << int{pins.tag} << ' ' << pins.failed << ' ' << std::setfill('0');
     if (pins.response) {
       for (std::size_t w = reference::kLineWords; w-- > 0;) out_ << std::setw(8) << pins.line[w];
     } else {
@@ -112,7 +112,7 @@ class UnitRecording {
     out_ << ' ' << seen.ready << ' ' << seen.request << ' ' << seen.line << ' ' << int{seen.tag}
          << ' ' << seen.pixel_valid << ' ' << p.x << ' ' << p.y << ' '
          << (p.rgb[0] | p.rgb[1] << 8 | p.rgb[2] << 16) << ' ' << int{p.alpha} << ' '
-         << p.lum_saturated << ' ' << p.color_saturated << '\n';
+         << p.lum_saturated << ' ' << p.color_saturated << ' ' << p.memory_failed << '\n';
     return seen;
   }
 

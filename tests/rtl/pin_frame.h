@@ -10,7 +10,7 @@
 namespace ptm::tests {
 
 /// Answers to requests from before a reset, in the order in which they were asked for: the first
-/// comes in cycle `first`, the others `step` cycles after each other, with lines of ones.
+/// comes in cycle `first`, the others `step` cycles after each other, with lines of ones that could not be read.
 struct LateAnswers {
   std::vector<std::uint8_t> tags;
   pipeline::Cycle first = 0, step = 1;
@@ -49,10 +49,12 @@ PinFrame run_pins(Unit& unit, const reference::UnitState& state,
       pins.response = true;
       pins.tag = late.tags[late_sent++];
       pins.line.fill(~0U);
+      pins.failed = true;
     } else if (const auto now = due.find(cycle); now != due.end()) {
       pins.response = true;
       pins.tag = now->second.tag;
       pins.line = state.memory.at(now->second.line);
+      pins.failed = state.failed.contains(now->second.line);
       due.erase(now);
     }
     const testbench::RtlUnitSeen seen = unit.cycle(pins);

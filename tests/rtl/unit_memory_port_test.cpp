@@ -2,6 +2,7 @@
 // as a memory may give them, with every other port stalling at random.
 #include <random>
 
+#include "tests/rtl/pin_frame.h"
 #include "tests/rtl/unit_runs.h"
 
 namespace ptm::tests {
@@ -114,6 +115,83 @@ std::vector<Case> cases() {
 INSTANTIATE_TEST_SUITE_P(Units, RtlUnitMemory, testing::ValuesIn(cases()), [](const auto& tested) {
   return std::string(tested.param.variant.name) + tested.param.mixture.name;
 });
+
+class RtlUnitFailedLines : public testing::TestWithParam<testbench::RtlUnitVariant> {};
+
+/// A tenth of the memory cannot be read: the pixels made of such a line say so, of the frame that
+/// reads it and of the next, for which it stands in the caches; the others do not.
+TEST_P(RtlUnitFailedLines, MarkThePixelsThatAreMadeOfThem) {
+  UnitSceneMaker make(33);
+  UnitScene scene = make.scene(GetParam().config, GetParam().unit);
+  std::mt19937_64 random(7);
+  for (std::uint32_t line = 0; line < scene.state.memory.size(); ++line) {
+    if (random() % 10 == 0) scene.state.failed.insert(line);
+  }
+  const auto fragments = random_fragments(make, scene, 600);
+  const auto unit = GetParam().make();
+  const auto memory = make_memory(pipeline::RandomMemory{.seed = 2, .latency_max = 60});
+  unit->load(scene.state);
+  unit->write(0x1008, ~0U);
+  for (const bool again : {false, true}) {
+    const auto result = unit->run({.fragments = fragments, .keep_cache = again}, *memory,
+                                  {.seed = 5, .input_gap = 0.2, .output_stall = 0.3});
+    ASSERT_FALSE(result.fault) << result.fault->what;
+    expect_pixels(scene, fragments, result.pixels);
+    const auto marked = std::ranges::count_if(result.pixels, &reference::UnitPixel::memory_failed);
+    EXPECT_GT(marked, 0);
+    EXPECT_LT(marked, static_cast<long>(fragments.size()));
+  }
+  EXPECT_EQ(unit->read(0x1003), 0U);
+  EXPECT_EQ(unit->read(0x1008) & 8U, 8U);
+  unit->write(0x1008, 8);
+  EXPECT_EQ(unit->read(0x1008) & 8U, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, RtlUnitFailedLines, testing::ValuesIn(unit_variants()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+/// An LRGB map that fits the caches, drawn point by point.
+struct SmallMap {
+  SmallMap() {
+    reference::StoredTexture map{16, 16, false, {}, {}, {}, {}};
+    map.coef.assign(std::size_t{256} * 6, 100);
+    map.color.assign(std::size_t{256} * 3, 50);
+    reference::Draw draw;
+    draw.map = append_map(reference::kBase, std::span(&map, 1), scene.state.memory);
+    draw.bilinear = false;
+    scene.config = reference::kBase;
+    scene.state.draws.push_back(draw);
+    for (int n = 0; n < 256; ++n) {
+      reference::UnitFragment f;
+      f.x = static_cast<std::uint16_t>(n);
+      f.u = (n % 16) << 16;
+      f.v = (n / 16) << 16;
+      fragments.push_back(f);
+    }
+  }
+  UnitScene scene;
+  std::vector<reference::UnitFragment> fragments;
+};
+
+/// What is in the caches stays marked when the memory has recovered, until they are invalidated,
+/// and what was read well stays so when the memory fails.
+TEST(RtlUnitFailedLine, StaysOneUntilTheCachesAreInvalidated) {
+  SmallMap bad, good;
+  bad.scene.state.failed = {0, 7, 22, 40};
+  const auto unit = testbench::make_rtl_unit_base3();
+  const auto memory = make_memory(pipeline::FixedMemory{.latency = 5, .interval = 1});
+  const auto frame = [&](const SmallMap& from) {
+    return run_pins(*unit, from.scene.state, from.fragments, *memory, {}, 100'000).pixels;
+  };
+  unit->load(good.scene.state);
+  for (const auto& [read, recovered] : {std::pair{&bad, &good}, std::pair{&good, &bad}}) {
+    unit->write(0x1000, 1);
+    expect_pixels(read->scene, read->fragments, frame(*read));
+    expect_pixels(read->scene, read->fragments, frame(*recovered));
+    unit->write(0x1000, 1);
+    expect_pixels(recovered->scene, read->fragments, frame(*recovered));
+  }
+}
 
 /// A line that comes in the cycle of its request is usable two cycles later, as any line.
 TEST(RtlUnitMemoryTiming, AnAnswerInTheCycleOfItsRequestIsUsableTwoLater) {

@@ -38,6 +38,7 @@ void expect_nothing_left(const testbench::RtlUnitVariant& variant, const UnitSce
     seen.push_back(run_pins(*unit, scene.state, fragments, *memory, late, kEnd));
     counters.push_back(unit->counters());
     EXPECT_EQ(unit->read(0x1003) & 7U, 0U) << "reset in " << moment;
+    EXPECT_EQ(unit->read(0x1008) & 8U, 0U) << "a dropped answer's line is no failed line";
     expect_pixels(scene, fragments, seen.back().pixels);
     ASSERT_FALSE(testing::Test::HasFailure()) << "reset in cycle " << moment;
     frames.push_back({fragments, false, late.last()});

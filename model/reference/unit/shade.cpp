@@ -1,5 +1,6 @@
 #include "model/reference/unit/shade.h"
 
+#include "model/reference/unit/failed_lines.h"
 #include "model/reference/unit/shade_steps.h"
 
 namespace ptm::reference {
@@ -20,7 +21,9 @@ UnitPixel shade_pixel(const Config& config, const UnitState& state, const UnitFr
   if (has_effects(state.draws[fragment.draw])) [[unlikely]] {
     return shade_trace(config, state, fragment).pixel;
   }
-  return shading::shade_with<PlainTrace>(config, state, fragment).pixel;
+  UnitPixel pixel = shading::shade_with<PlainTrace>(config, state, fragment).pixel;
+  pixel.memory_failed = fetches_failed_line(state, fragment);
+  return pixel;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "model/reference/effects/stages.h"
+#include "model/reference/unit/failed_lines.h"
 #include "model/reference/unit/shade_steps.h"
 
 namespace ptm::reference {
@@ -52,6 +53,7 @@ ShadeTrace shade_trace(const EvalConfig& config, const UnitState& state,
     auto trace = shading::shade_with<ShadeTrace>(constant, state, fragment);
     evaluate_extra(constant, state.draws[fragment.draw], fragment, trace);
     add_effects(config, state, fragment, trace);
+    trace.pixel.memory_failed = fetches_failed_line(state, fragment);
     return trace;
   });
 }

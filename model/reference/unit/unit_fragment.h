@@ -48,6 +48,7 @@ struct UnitPixel {
   std::array<std::uint8_t, 3> rgb{};
   std::uint8_t alpha = 255;
   bool lum_saturated = false, color_saturated = false;
+  bool memory_failed = false;  ///< a line that it was made of could not be read
   bool operator==(const UnitPixel&) const = default;
 };
 

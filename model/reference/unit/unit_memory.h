@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct UnitState {
   /// A draw's table for effect stages, 12 bits an entry (docs/spec/effects.md); of draws beyond the
   /// vector's end, all 0.
   std::vector<EffectTable> tables;
+  /// Lines that the memory cannot read: it answers with an error and whatever line. Pixels of such
+  /// a line are marked (UnitPixel::memory_failed), and else computed from what `memory` holds.
+  std::set<std::uint32_t> failed;
 };
 
 /// A picture of R, G, B, A bytes, [height][width][4].

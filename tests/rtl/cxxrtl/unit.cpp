@@ -25,6 +25,7 @@ class Unit final : public CxxrtlUnit {
     set_port(dut_.p_mem__req__ready__i, pins.request_ready);
     set_port(dut_.p_mem__rsp__valid__i, pins.response);
     set_port(dut_.p_mem__rsp__tag__i, pins.tag);
+    set_port(dut_.p_mem__rsp__error__i, pins.failed);
     for (unsigned w = 0; w < reference::kLineWords; ++w) {
       dut_.p_mem__rsp__line__i.data[w] = pins.line[w];
     }
@@ -44,7 +45,8 @@ class Unit final : public CxxrtlUnit {
                    static_cast<std::uint8_t>(field(dut_.p_pix__rgb__o, 16, 8))},
                   static_cast<std::uint8_t>(port_bits(dut_.p_pix__alpha__o)),
                   port_bits(dut_.p_pix__lum__saturated__o) != 0,
-                  port_bits(dut_.p_pix__color__saturated__o) != 0};
+                  port_bits(dut_.p_pix__color__saturated__o) != 0,
+                  port_bits(dut_.p_pix__mem__error__o) != 0};
     seen.request = port_bits(dut_.p_mem__req__valid__o) != 0;
     seen.line = port_bits(dut_.p_mem__req__line__o);
     seen.tag = static_cast<std::uint8_t>(port_bits(dut_.p_mem__req__tag__o));
