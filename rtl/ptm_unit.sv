@@ -127,7 +127,8 @@ module ptm_unit #(
   ) u_capabilities (
     .words_o(capabilities)
   );
-  logic mem_failed;
+  logic        mem_failed;
+  logic [25:0] mem_base;
   ptm_unit_registers #(
     .HalfVector(HalfVector), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_registers (
@@ -137,7 +138,7 @@ module ptm_unit #(
     .checking_o(checking), .irq_o(irq_o), .busy_i(busy),
     .accepted_i(frag_valid_i && frag_ready_o), .last_taken_i(last_taken),
     .invalidate_o(invalidate), .clear_o(clear), .mem_error_i(mem_error),
-    .mem_error_tag_i(mem_rsp_tag_i), .mem_failed_i(mem_failed), .draining_i(draining),
+    .mem_error_tag_i(mem_rsp_tag_i), .mem_failed_i(mem_failed), .mem_base_o(mem_base), .draining_i(draining),
     .counter_number_o(counter_number), .counter_i(counter), .capabilities_i(capabilities),
     .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
     .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
@@ -210,7 +211,7 @@ module ptm_unit #(
     .busy_o(busy), .last_taken_o(last_taken), .counter_number_i(counter_number),
     .counter_o(counter),
     .valid_i(frag_valid_i && open), .ready_o(front_ready),
-    .fragment_i(fragment), .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
+    .fragment_i(fragment), .mem_base_i(mem_base), .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
     .mem_req_line_o(mem_req_line_o), .mem_req_tag_o(mem_req_tag_o),
     .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_tag_i(mem_rsp_tag_i),
     .mem_rsp_line_i(mem_rsp_line_i), .mem_rsp_error_i(mem_rsp_error_i), .mem_error_o(mem_error),

@@ -34,6 +34,7 @@ module ptm_unit_front #(
   output logic                      ready_o,
   input  ptm_unit_pkg::fragment_t   fragment_i,
   // Memory
+  input  logic [LineBits-1:0]       mem_base_i,  // is added to the line of every request
   output logic                      mem_req_valid_o,
   input  logic                      mem_req_ready_i,
   output logic [LineBits-1:0]       mem_req_line_o,
@@ -150,12 +151,14 @@ module ptm_unit_front #(
     .beat_o(k_beat), .taken_o(k_taken), .reads_o(k_reads), .holds_o(k_holds)
   );
 
+  logic [LineBits-1:0] req_line;
+  assign mem_req_line_o = req_line + mem_base_i;
   ptm_unit_miss_ring #(
     .Tmus(Tmus), .MissFifo(MissFifo)
   ) u_miss_ring (
     .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining_o),
     .miss_valid_i(miss_valid), .miss_line_i(miss_line), .miss_push_i(miss_push), .miss_fits_o(miss_fits), .req_valid_o(mem_req_valid_o),
-    .req_ready_i(mem_req_ready_i), .req_line_o(mem_req_line_o), .req_tag_o(mem_req_tag_o),
+    .req_ready_i(mem_req_ready_i), .req_line_o(req_line), .req_tag_o(mem_req_tag_o),
     .rsp_valid_i(mem_rsp_valid_i), .rsp_tag_i(mem_rsp_tag_i), .rsp_line_i(mem_rsp_line_i),
     .rsp_failed_i(mem_rsp_error_i), .rsp_error_o(mem_error_o), .line_failed_o(mem_failed_o),
     .rank_i(rank), .usable_o(usable), .commit_i(commit), .release_i(give_back),

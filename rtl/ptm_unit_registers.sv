@@ -37,6 +37,7 @@ module ptm_unit_registers #(
   input  logic [7:0]  mem_error_tag_i,
   input  logic        mem_failed_i,  // a response says that its line could not be read
   input  logic        draining_i,    // the memory owes answers from before the reset
+  output logic [ptm_unit_pkg::LineBits-1:0] mem_base_o,  // is added to every request's line
   output logic [5:0]  counter_number_o,  // which counter the read address asks for
   input  logic [63:0] counter_i,         // its value, 0 if there is none of that number
   input  logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities_i,  // word 0 lowest
@@ -54,10 +55,10 @@ module ptm_unit_registers #(
   // Writes. What fragments read: draws, commands that invalidate, the memory's lines, palettes,
   // effects' sets and tables
   logic locked, shared, we_shared, refused;
-  logic we_draws, we_command, we_lines, we_events, we_enable;
+  logic we_draws, we_command, we_lines, we_base, we_events, we_enable;
   always_comb begin
     {shared, refused, we_shared}                         = '0;
-    {we_draws, we_command, we_lines}                     = '0;
+    {we_draws, we_command, we_lines, we_base}            = '0;
     {we_events, we_enable}                               = '0;
     {pal_lrgb_we_o, pal_rgb_we_o, invalidate_o, clear_o} = '0;
     if (reg_we_i) begin
@@ -66,13 +67,14 @@ module ptm_unit_registers #(
       we_enable     = reg_addr_i == 16'h1009;
       clear_o       = we_command && reg_wdata_i[1];
       shared        = reg_addr_i[15:8] == 8'h00 || (we_command && reg_wdata_i[0]) ||
-                      reg_addr_i == 16'h1001 || reg_addr_i[15:7] == 9'h050 ||
+                      reg_addr_i == 16'h1001 || reg_addr_i == 16'h1004 || reg_addr_i[15:7] == 9'h050 ||
                       reg_addr_i[15:10] == 6'h0c || reg_addr_i[15:11] == 5'b01000 ||
                       reg_addr_i[15];
       refused       = shared && locked;
       we_shared     = shared && !locked;
       we_draws      = we_shared && reg_addr_i[15:8] == 8'h00;
       we_lines      = we_shared && reg_addr_i == 16'h1001;
+      we_base       = we_shared && reg_addr_i == 16'h1004;
       pal_lrgb_we_o = we_shared && reg_addr_i[15:11] == 5'b01000;
       pal_rgb_we_o  = we_shared && reg_addr_i[15];
       invalidate_o  = we_shared && we_command;
@@ -319,6 +321,14 @@ module ptm_unit_registers #(
     .enable_o(enable), .irq_o(irq_o)
   );
 
+  // Where in the outer memory the unit's lines lie
+  logic [ptm_unit_pkg::LineBits-1:0] mem_base_q;
+  assign mem_base_o = mem_base_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) mem_base_q <= '0;
+    else if (we_base) mem_base_q <= reg_wdata_i[ptm_unit_pkg::LineBits-1:0];
+  end
+
   // Reading
   logic [31:0] draw_word;
   ptm_unit_draw_word u_draw_word (
@@ -337,6 +347,7 @@ module ptm_unit_registers #(
                               4'd0, errors_q[3:0]};
         5'h03: reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 5'd0, draining_i,
                               mem_error_q, busy_i || checking_o};
+        5'h04: reg_rdata_o = 32'(mem_base_q);
         5'h08: reg_rdata_o = 32'(events);
         5'h09: reg_rdata_o = 32'(enable);
         5'h10: reg_rdata_o = ptm_unit_pkg::Magic;

@@ -31,6 +31,7 @@ class VerilatedUnit final : public RtlUnit {
 
   void load(const reference::UnitState& state) override {
     memory_ = state.memory;
+    base_ = state.base;
     failed_ = state.failed;
     writes_ = register_writes(state);
     start();
@@ -272,9 +273,10 @@ class VerilatedUnit final : public RtlUnit {
   void ask(pipeline::MemoryTiming& memory, const std::optional<pipeline::MemoryFault>& fault,
            Cycle cycle, pipeline::UnitFrameResult& result) {
     const std::uint64_t index = result.answered.size();
-    const std::uint32_t line = pins_.mem_req_line_o;
-    if (line >= memory_.size()) fail("line " + std::to_string(line) + " read", cycle);
-    Cycle done = memory.line(index, line, cycle);
+    const std::uint32_t outer = pins_.mem_req_line_o;
+    const std::uint32_t line = (outer - base_) & reference::kOuterMask;
+    if (line >= memory_.size()) fail("line " + std::to_string(outer) + " read", cycle);
+    Cycle done = memory.line(index, outer, cycle);
     if (fault && fault->index == index && fault->kind == pipeline::MemoryFault::Kind::never) {
       done = pipeline::kNever;
     }
@@ -320,6 +322,7 @@ class VerilatedUnit final : public RtlUnit {
 
   std::string name_;
   std::vector<reference::Line> memory_;
+  std::uint32_t base_ = 0;          ///< the outer memory's line that is memory_[0]
   std::set<std::uint32_t> failed_;  ///< lines of it that cannot be read
   std::vector<reference::RegisterWrite> writes_;
   PendingLines pending_;

@@ -92,6 +92,38 @@ INSTANTIATE_TEST_SUITE_P(Units, RtlUnitExact, testing::ValuesIn(cases()), [](con
   return std::string(tested.param.variant.name) + tested.param.condition.name;
 });
 
+/// The outer memory sees base and line added modulo 2^26, and a DRAM's banks and rows are those of
+/// the sum.
+class RtlUnitBase : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RtlUnitBase, IsAddedToEveryRequestsLine) {
+  for (const bool small : {false, true}) {
+    const testbench::RtlUnitVariant variant = small ? unit_variants().back() : unit_variants()[0];
+    UnitSceneMaker make(41);
+    UnitScene scene = make.scene(variant.config, variant.unit);
+    scene.state.base = GetParam();
+    const auto fragments = random_fragments(make, scene, 300);
+    const auto unit = variant.make();
+    unit->load(scene.state);
+    EXPECT_EQ(unit->read(0x1004), GetParam());
+    unit->write(0x1000, 3);
+    std::vector<std::uint32_t> asked;
+    for (int cycle = 0; cycle < 100; ++cycle) {
+      testbench::RtlUnitPins pins{.valid = true, .fragment = fragments[0]};
+      const auto seen = unit->cycle(pins);
+      if (seen.request) asked.push_back(seen.line);
+    }
+    ASSERT_FALSE(asked.empty());
+    for (const std::uint32_t line : asked) {
+      EXPECT_LT((line - GetParam()) & 0x3ffffffU, scene.state.memory.size());
+    }
+    if (!small) expect_same_frames(variant, kConditions[2], scene, fragments);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lines, RtlUnitBase,
+                         testing::Values(0U, 1U, 0x155555U, 0x2000000U, 0x3fffffdU));
+
 struct EffectCase {
   testbench::RtlUnitVariant variant;
   Condition condition;

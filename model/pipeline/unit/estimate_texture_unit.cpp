@@ -26,7 +26,7 @@ class LooseUnit {
         tile_(static_cast<std::size_t>(tile)),
         chain_(effects::chain_registers(unit.stages)),
         map_(unit),
-        time_(unit, make_memory(memory)) {
+        time_(unit, state.base, make_memory(memory)) {
     for (int t = 0; t < unit.tmus; ++t) caches_.emplace_back(map_.rows(), unit.ways);
     const double waits = timing.input_gap * 2.5 + static_cast<double>(timing.idle) / timing.group;
     input_pace_ = 1 + waits;

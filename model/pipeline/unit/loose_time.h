@@ -7,14 +7,17 @@
 
 #include "model/pipeline/memory_timing.h"
 #include "model/reference/unit/unit_config.h"
+#include "model/reference/unit/unit_memory.h"
 
 namespace ptm::pipeline {
 
 /// The two clocks of timing `loose`: tags, which run ahead, and commit, which waits for lines.
 class LooseTime {
  public:
-  LooseTime(const reference::UnitConfig& unit, std::unique_ptr<MemoryTiming> memory)
+  LooseTime(const reference::UnitConfig& unit, std::uint32_t base,
+            std::unique_ptr<MemoryTiming> memory)
       : memory_(std::move(memory)),
+        base_(base),
         slots_(static_cast<std::size_t>(unit.miss_fifo)),
         depth_(unit.fragment_fifo) {}
 
@@ -65,10 +68,12 @@ class LooseTime {
   /// Returns from when on the line may be committed.
   double request(std::uint32_t line, double pushed) {
     sent_ = std::max(static_cast<Cycle>(pushed) + 1, sent_ + 1);
-    return static_cast<double>(memory_->line(requests_++, line, sent_) + 2);
+    return static_cast<double>(
+        memory_->line(requests_++, reference::outer_line(base_, line), sent_) + 2);
   }
 
   std::unique_ptr<MemoryTiming> memory_;
+  std::uint32_t base_;
   std::vector<double> slots_;  ///< when each is free
   std::array<Mark, kHistory> history_{};
   std::size_t oldest_ = 0, newest_ = 0;

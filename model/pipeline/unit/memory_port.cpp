@@ -52,7 +52,7 @@ void MemoryPort::note_fault(MemoryFault::Kind kind, std::uint32_t line, std::uin
 
 Cycle MemoryPort::read(std::uint32_t line, Cycle cycle, std::uint32_t slot, const UnitBeat& beat) {
   if (cycle >= kStuck) return kStuck;  // behind a fault; nobody sends it
-  Cycle done = transport(line, cycle);
+  Cycle done = transport(reference::outer_line(base_, line), cycle);
   if (fault_ && fault_->index == index_ && fault_->kind == MemoryFault::Kind::never) done = kNever;
   answered.push_back(done);
   last_transfer_ = std::max(last_transfer_, done == kNever ? cycle : done);

@@ -30,6 +30,9 @@ class MemoryPort final : public sc_core::sc_module {
   /// never. `slot` is the request's tag.
   Cycle read(std::uint32_t line, Cycle cycle, std::uint32_t slot, const UnitBeat& beat);
 
+  /// The unit's line l is the memory's outer_line(base, l).
+  void set_base(std::uint32_t base) { base_ = base; }
+
   /// A frame begins at this simulation time.
   void reset();
 
@@ -55,6 +58,7 @@ class MemoryPort final : public sc_core::sc_module {
   sc_core::sc_time clock_;
   std::optional<MemoryFault> fault_;
   std::optional<Waiting> waiting_;
+  std::uint32_t base_ = 0;
   std::uint64_t index_ = 0;  ///< of the next request, from reset
   sc_core::sc_time origin_;
   Cycle last_transfer_ = 0;

@@ -11,8 +11,9 @@ constexpr std::uint64_t kLineBytes = sizeof(reference::Line);
 
 MemoryTarget::MemoryTarget(const sc_core::sc_module_name& name,
                            std::unique_ptr<MemoryTiming> timing,
-                           std::span<const reference::Line> lines, const sc_core::sc_time& clock)
-    : sc_module(name), timing_(std::move(timing)), lines_(lines), clock_(clock) {
+                           std::span<const reference::Line> lines, const sc_core::sc_time& clock,
+                           std::uint32_t first)
+    : sc_module(name), timing_(std::move(timing)), lines_(lines), first_(first), clock_(clock) {
   socket.register_b_transport(this, &MemoryTarget::b_transport);
   socket.register_nb_transport_fw(this, &MemoryTarget::nb_transport_fw);
 }
@@ -32,8 +33,10 @@ tlm::tlm_response_status MemoryTarget::read(tlm::tlm_generic_payload& payload) c
   const std::uint64_t address = payload.get_address();
   if (address % kLineBytes != 0) return tlm::TLM_ADDRESS_ERROR_RESPONSE;
   if (lines_.empty()) return tlm::TLM_OK_RESPONSE;
-  if (address / kLineBytes >= lines_.size()) return tlm::TLM_ADDRESS_ERROR_RESPONSE;
-  std::memcpy(payload.get_data_ptr(), lines_[address / kLineBytes].data(), kLineBytes);
+  if (address / kLineBytes > reference::kOuterMask) return tlm::TLM_ADDRESS_ERROR_RESPONSE;
+  const std::uint32_t line = static_cast<std::uint32_t>(address / kLineBytes) - first_;
+  if ((line & reference::kOuterMask) >= lines_.size()) return tlm::TLM_ADDRESS_ERROR_RESPONSE;
+  std::memcpy(payload.get_data_ptr(), lines_[line & reference::kOuterMask].data(), kLineBytes);
   return tlm::TLM_OK_RESPONSE;
 }
 

@@ -26,8 +26,10 @@ class MemoryTarget final : public sc_core::sc_module {
  public:
   tlm_utils::simple_target_socket<MemoryTarget> socket{"socket"};
 
+  /// `first`: the line address of lines[0]; the others follow, modulo 2^26.
   MemoryTarget(const sc_core::sc_module_name& name, std::unique_ptr<MemoryTiming> timing,
-               std::span<const reference::Line> lines, const sc_core::sc_time& clock);
+               std::span<const reference::Line> lines, const sc_core::sc_time& clock,
+               std::uint32_t first = 0);
 
   void reset();
 
@@ -40,6 +42,7 @@ class MemoryTarget final : public sc_core::sc_module {
 
   std::unique_ptr<MemoryTiming> timing_;
   std::span<const reference::Line> lines_;
+  std::uint32_t first_;
   sc_core::sc_time clock_, origin_;
   std::uint64_t index_ = 0;
 };

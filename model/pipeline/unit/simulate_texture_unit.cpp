@@ -40,9 +40,11 @@ class UnitSource final : public sc_core::sc_module {
 void simulate_texture_unit(const UnitSimulation& simulation) {
   reference::validate(simulation.unit);
   const sc_core::sc_time clock(1, sc_core::SC_NS);
-  MemoryTarget memory("memory", make_memory(simulation.memory), simulation.state->memory, clock);
+  MemoryTarget memory("memory", make_memory(simulation.memory), simulation.state->memory, clock,
+                      simulation.state->base);
   TextureUnit unit("unit", simulation.unit, simulation.state->draws, simulation.timing,
                    simulation.fault, clock, simulation.eval);
+  unit.memory.set_base(simulation.state->base);
   unit.memory.socket.bind(memory.socket);
   UnitSource source("source", simulation, unit, memory, clock);
   if (simulation.elaborated) simulation.elaborated(module_names(elaborated()));

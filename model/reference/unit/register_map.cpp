@@ -91,6 +91,7 @@ std::uint32_t stored_bits(std::uint16_t address, const UnitConfig& unit) {
   using namespace registers;
   if (address < kDraws * kDrawStride) return stored_draw_bits(address % kDrawStride, unit);
   if (address == kMemoryLines) return (2U << kLineBits) - 1;
+  if (address == kMemoryBase) return kLineAddress;
   if (address == kEnable) return events::kAll;
   if (address >= kSets && address < kSets + 32 * kDraws) {
     const unsigned set = address / 8 % 4, coefficient = address % 8;

@@ -16,6 +16,7 @@ inline constexpr std::uint16_t kCommand = 0x1000;      ///< kInvalidate, kClear
 inline constexpr std::uint16_t kMemoryLines = 0x1001;  ///< what draws are checked against
 inline constexpr std::uint16_t kErrors = 0x1002;       ///< error bits of draw d at 8 d
 inline constexpr std::uint16_t kState = 0x1003;        ///< [0] busy, [1] a tag nobody waits for
+inline constexpr std::uint16_t kMemoryBase = 0x1004;   ///< added to every request's line
 inline constexpr std::uint16_t kEvents = 0x1008;       ///< bits of events; written 1s clear them
 inline constexpr std::uint16_t kEnable = 0x1009;       ///< which of them raise the interrupt
 inline constexpr std::uint16_t kMagic = 0x1010, kVersion = 0x1011, kCapabilities = 0x1012;

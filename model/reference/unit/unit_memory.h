@@ -16,6 +16,13 @@ using Line = std::array<std::uint32_t, kLineWords>;  ///< a 4 x 4 tile of words,
 
 inline constexpr std::size_t kLrgbEntries = 256, kRgbEntries = 4096;
 
+/// The line that the unit asks the outer memory for, for its line l: docs/spec/unit.md,
+/// "Registers".
+inline constexpr std::uint32_t kOuterMask = (1U << kLineBits) - 1;
+[[nodiscard]] constexpr std::uint32_t outer_line(std::uint32_t base, std::uint32_t l) {
+  return (base + l) & kOuterMask;
+}
+
 /// Tables of words packed as a map's planes are: docs/spec/unit.md, "Palettes".
 struct Palettes {
   std::vector<std::array<std::uint32_t, 2>> lrgb;  ///< entry 256 palette + index; at most 1024
@@ -32,6 +39,8 @@ struct UnitState {
   /// A draw's table for effect stages, 12 bits an entry (docs/spec/effects.md); of draws beyond the
   /// vector's end, all 0.
   std::vector<EffectTable> tables;
+  /// Where the lines lie for the outer memory: line l at outer_line(base, l).
+  std::uint32_t base = 0;
   /// Lines that the memory cannot read: it answers with an error and whatever line. Pixels of such
   /// a line are marked (UnitPixel::memory_failed), and else computed from what `memory` holds.
   std::set<std::uint32_t> failed;

@@ -128,6 +128,7 @@ std::vector<RegisterWrite> register_writes(const UnitState& state) {
                                 ", expected at most " + std::to_string(Value{1} << kLineBits));
   }
   out.push_back(write(kMemoryLines, static_cast<std::uint32_t>(lines)));
+  if (state.base != 0) out.push_back(write(kMemoryBase, state.base & kOuterMask));
   write_palettes(state.palettes, out);
   for (std::size_t d = 0; d < state.draws.size(); ++d) {
     const EffectTable table = d < state.tables.size() ? state.tables[d] : EffectTable{};
