@@ -1,8 +1,8 @@
 // From the taps of a beat in D to the operands of a fragment in O. Wiring and control.
 //
-//   D look-up |P| U7 u |L1| U7 v |L2| U8 |L3| U9, U10 |O| -> evaluator
+//   D look-up |Q| taps |P| U7 u |L1| U7 v |L2| U8 |L3| U9, U10 |O| -> evaluator
 //
-// Values are those of docs/spec/unit.md, cycles those of docs/spec/unit-timing.md (D, Filter).
+// Values are those of docs/spec/unit.md, cycles those of docs/spec/unit-timing.md (Palette, Filter).
 // Everything is beat-parallel: up to L2 a lane for each field that a TMU's word may have (three
 // coefficients or four bytes; TMU 0's also a palette's eighteen), then one for each of the 26
 // fields of a fragment. Word w of a draw comes by TMU w mod Tmus in beat (group) w / Tmus.
@@ -42,7 +42,7 @@ module ptm_filter #(
   output logic                                ready_o,
   input  ptm_unit_pkg::beat_t                 beat_i,
   input  logic [Tmus*ptm_unit_pkg::TapsW-1:0] taps_i,
-  output logic                                load_p_o,  // a whole beat leaves D
+  output logic                                load_q_o,  // a whole beat leaves D
   output logic [2:0]                          palette_taps_o,  // looked up of what leaves D
   // Passes of the fragment in O
   output logic                                    valid_o,
@@ -80,8 +80,7 @@ module ptm_filter #(
   logic [1:0]   d_palette;
   logic [3:0]   d_fetched;
   logic [127:0] d_words;
-  logic         d_lrgb, d_rgb;  // TMU 0's word is an index into that palette
-  logic         p_ready, d_last, d_hold, load_p;
+  logic         q_ready, d_last, d_leaves, load_q;
   /* verilator lint_off PINCONNECTEMPTY */
   ptm_draw_select u_d_draw (
     .draws_i(draws_i), .draw_i(beat_i.draw), .format_o(d_format), .palette_o(d_palette),
@@ -90,31 +89,40 @@ module ptm_filter #(
   /* verilator lint_on PINCONNECTEMPTY */
   assign {d_fetched, d_words} = taps_i[ptm_unit_pkg::TapsW-1:0];
 
-  logic [3:0]                     lrgb_now, rgb_now;
+  logic [PaletteLrgbPorts-1:0]    lrgb_read;
+  logic [PaletteLrgbPorts*10-1:0] lrgb_index;
+  logic [PaletteRgbPorts-1:0]     rgb_read;
+  logic [PaletteRgbPorts*12-1:0]  rgb_index;
+  logic                           shown_rgb, hold;
+  logic [3:0]                     shown;
   logic [7:0]                     lrgb_port, rgb_port;
-  logic [PaletteLrgbPorts*10-1:0] lrgb_read;
-  logic [PaletteRgbPorts*12-1:0]  rgb_read;
   ptm_palette_control #(
     .LrgbPorts(PaletteLrgbPorts), .RgbPorts(PaletteRgbPorts)
   ) u_palette_control (
-    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .leave_i(ready_o), .format_i(d_format),
-    .palette_i(d_palette), .group_i(beat_i.group), .fetched_i(d_fetched), .words_i(d_words),
-    .last_o(d_last), .taps_o(palette_taps_o), .lrgb_o(d_lrgb), .rgb_o(d_rgb),
-    .lrgb_now_o(lrgb_now), .lrgb_port_o(lrgb_port), .lrgb_read_o(lrgb_read),
-    .rgb_now_o(rgb_now), .rgb_port_o(rgb_port), .rgb_read_o(rgb_read)
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .accept_i(q_ready),
+    .sub_last_i(beat_i.sub_last), .format_i(d_format), .palette_i(d_palette),
+    .group_i(beat_i.group), .fetched_i(d_fetched), .words_i(d_words), .last_o(d_last),
+    .taps_o(palette_taps_o), .lrgb_read_o(lrgb_read), .lrgb_index_o(lrgb_index),
+    .rgb_read_o(rgb_read), .rgb_index_o(rgb_index), .shown_rgb_o(shown_rgb), .shown_o(shown),
+    .lrgb_port_o(lrgb_port), .rgb_port_o(rgb_port), .hold_o(hold)
   );
-  assign ready_o  = d_last && (!beat_i.sub_last || p_ready);
-  assign d_hold   = valid_i && !(d_last && beat_i.sub_last);
-  assign load_p_o = load_p;
+  // Q's registers are what sub-beats leave D for, so none of them leaves while Q refuses.
+  assign ready_o  = d_last && q_ready;
+  assign d_leaves = valid_i && ready_o;
+  assign load_q_o = load_q;
 
-  // Registers: P L1 L2 L3 O
-  logic l1_ready, l2_ready, l3_ready, o_ready, o_done;
-  logic p_valid, l1_valid, l2_valid, l3_valid, o_valid;
-  logic load_l1, load_l2, load_l3, load_o;
+  // Registers: Q P L1 L2 L3 O
+  logic p_ready, l1_ready, l2_ready, l3_ready, o_ready, o_done;
+  logic q_valid, p_valid, l1_valid, l2_valid, l3_valid, o_valid;
+  logic load_p, load_l1, load_l2, load_l3, load_o;
   logic [1:0] pass_q;  // of the map's own
-  ptm_stream_reg u_p (
+  ptm_stream_reg u_q (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i && d_last && beat_i.sub_last),
-    .ready_o(p_ready), .load_o(load_p), .valid_o(p_valid), .ready_i(l1_ready)
+    .ready_o(q_ready), .load_o(load_q), .valid_o(q_valid), .ready_i(p_ready)
+  );
+  ptm_stream_reg u_p (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(q_valid), .ready_o(p_ready), .load_o(load_p),
+    .valid_o(p_valid), .ready_i(l1_ready)
   );
   ptm_stream_reg u_l1 (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(p_valid), .ready_o(l1_ready), .load_o(load_l1),
@@ -153,20 +161,29 @@ module ptm_filter #(
     logic                              lit;
     logic [ptm_unit_pkg::DrawBits-1:0] draw;
   } step_t;
-  spot_t d_spot, p_spot_q, l1_spot_q, l2_spot_q, l3_spot_q, o_spot_q;
-  step_t d_step, p_step_q, l1_step_q, l2_step_q, l3_step_q, o_step_q;
+  spot_t d_spot, q_spot_q, p_spot_q, l1_spot_q, l2_spot_q, l3_spot_q, o_spot_q;
+  step_t d_step, q_step_q, p_step_q, l1_step_q, l2_step_q, l3_step_q, o_step_q;
+  logic [7:0] q_map_wu_q, q_color_wu_q, q_map_wv_q, q_color_wv_q;
   logic [7:0] p_map_wu_q, p_color_wu_q, p_map_wv_q, p_color_wv_q, l1_map_wv_q, l1_color_wv_q;
   assign d_spot = {beat_i.x, beat_i.y, beat_i.lu, beat_i.lv};
   assign d_step = {d_format, beat_i.group, beat_i.second, beat_i.ptm.f, beat_i.color.f,
                    beat_i.last, beat_i.first_probe, beat_i.probes_log2, beat_i.lit, beat_i.draw};
   always_ff @(posedge clk_i) begin
+    if (load_q) begin
+      q_spot_q     <= d_spot;
+      q_step_q     <= d_step;
+      q_map_wu_q   <= beat_i.ptm.wu;
+      q_map_wv_q   <= beat_i.ptm.wv;
+      q_color_wu_q <= beat_i.color.wu;
+      q_color_wv_q <= beat_i.color.wv;
+    end
     if (load_p) begin
-      p_spot_q     <= d_spot;
-      p_step_q     <= d_step;
-      p_map_wu_q   <= beat_i.ptm.wu;
-      p_map_wv_q   <= beat_i.ptm.wv;
-      p_color_wu_q <= beat_i.color.wu;
-      p_color_wv_q <= beat_i.color.wv;
+      p_spot_q     <= q_spot_q;
+      p_step_q     <= q_step_q;
+      p_map_wu_q   <= q_map_wu_q;
+      p_map_wv_q   <= q_map_wv_q;
+      p_color_wu_q <= q_color_wu_q;
+      p_color_wv_q <= q_color_wv_q;
     end
     if (load_l1) begin
       l1_spot_q     <= p_spot_q;
@@ -195,38 +212,42 @@ module ptm_filter #(
     logic unused_color;
     assign unused_color = ^{d_color, p_has_color, l1_has_color, l2_has_color};
   end else begin : gen_has_color
-    logic p_q, l1_q, l2_q;
+    logic q_q, p_q, l1_q, l2_q;
     always_ff @(posedge clk_i) begin
-      if (load_p) p_q <= d_color;
+      if (load_q) q_q <= d_color;
+      if (load_p) p_q <= q_q;
       if (load_l1) l1_q <= p_q;
       if (load_l2) l2_q <= l1_q;
     end
     assign {p_has_color, l1_has_color, l2_has_color} = {p_q, l1_q, l2_q};
   end
 
-  // P: the words of each TMU, and the palette entries of TMU 0's
+  // Q and P: the words of each TMU, and the palette entries of TMU 0's
   logic [31:0]      p_word [4*Tmus];
   logic [WordW-1:0] p_entry [4*6];
   for (genvar n = 0; n < 4 * Tmus; n++) begin : gen_word
     localparam int At = (n / 4) * ptm_unit_pkg::TapsW;
-    ptm_tap_hold #(.Width(32)) u_hold (
-      .clk_i(clk_i), .rst_ni(rst_ni), .now_i(taps_i[At+128+n%4]), .hold_i(d_hold),
+    ptm_tap_word u_word (
+      .clk_i(clk_i), .rst_ni(rst_ni), .load_q_i(d_leaves && taps_i[At+128+n%4]),
       .load_p_i(load_p), .data_i(taps_i[At+32*(n%4) +: 32]), .p_o(p_word[n])
     );
   end
+  logic q_palette;  // TMU 0's word of the beat in Q is an index
+  assign q_palette = (q_step_q.format == ptm_unit_pkg::FormatPaletteLrgb ||
+                      q_step_q.format == ptm_unit_pkg::FormatPaletteRgb) && q_step_q.group == '0;
   for (genvar w = 0; w < 6; w++) begin : gen_palette
     logic [PaletteRgbPorts*WordW-1:0]  rgb_data;
     logic [PaletteLrgbPorts*WordW-1:0] lrgb_data;
     ptm_palette_word #(.IndexBits(12), .Width(WordW), .Ports(PaletteRgbPorts)) u_rgb (
       .clk_i(clk_i), .we_i(pal_rgb_we_i && pal_rgb_addr_i[2:0] == 3'(w)),
       .write_index_i(pal_rgb_addr_i[14:3]), .write_data_i(pal_data_i[WordW-1:0]),
-      .index_i(rgb_read), .data_o(rgb_data)
+      .read_i(rgb_read), .index_i(rgb_index), .data_o(rgb_data)
     );
     if (w < 2) begin : gen_lrgb
       ptm_palette_word #(.IndexBits(10), .Width(WordW), .Ports(PaletteLrgbPorts)) u_lrgb (
         .clk_i(clk_i), .we_i(pal_lrgb_we_i && pal_lrgb_addr_i[0] == 1'(w)),
         .write_index_i(pal_lrgb_addr_i[10:1]), .write_data_i(pal_data_i[WordW-1:0]),
-        .index_i(lrgb_read), .data_o(lrgb_data)
+        .read_i(lrgb_read), .index_i(lrgb_index), .data_o(lrgb_data)
       );
     end else begin : gen_rgb_only
       assign lrgb_data = '0;  // never chosen
@@ -240,8 +261,8 @@ module ptm_filter #(
         .data_i(lrgb_data), .port_i(lrgb_port[2*k +: 2]), .data_o(lrgb_entry)
       );
       ptm_tap_hold #(.Width(WordW)) u_hold (
-        .clk_i(clk_i), .rst_ni(rst_ni), .now_i(rgb_now[k] || lrgb_now[k]), .hold_i(d_hold),
-        .load_p_i(load_p && (d_rgb || d_lrgb)), .data_i(w >= 2 || d_rgb ? rgb_entry : lrgb_entry),
+        .clk_i(clk_i), .rst_ni(rst_ni), .shown_i(shown[k]), .hold_i(hold),
+        .load_p_i(load_p && q_palette), .data_i(w >= 2 || shown_rgb ? rgb_entry : lrgb_entry),
         .p_o(p_entry[4*w+k])
       );
     end

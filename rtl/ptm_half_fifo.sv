@@ -5,7 +5,7 @@
 // is never too full to take one. A fragment pushed in cycle c is in O many cycles later.
 `include "ptm_assert.svh"
 module ptm_half_fifo #(
-  parameter int Depth = 205,  // 2 or more
+  parameter int Depth = 206,  // 2 or more
   parameter int Width = 10    // of a light code
 ) (
   input  logic                    clk_i,

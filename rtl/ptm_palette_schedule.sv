@@ -1,7 +1,7 @@
-// Which taps a palette looks up in which cycle of their beat's stay in D.
+// Which taps a palette looks up in which look-up cycle of their beat.
 //
 //   n = max(1, ceil(taps / Ports)) cycles; cycle k takes the fetched taps k * Ports ..
-//   in order 00 10 01 11                                       docs/spec/unit-timing.md, D
+//   in order 00 10 01 11                                 docs/spec/unit-timing.md, Palette
 //
 // Twin: the palette's part of D in model/pipeline. Combinational.
 module ptm_palette_schedule #(
@@ -14,6 +14,7 @@ module ptm_palette_schedule #(
   output logic                       last_o,   // step k is the last
   output logic [3:0]                 now_o,    // taps that are looked up in this step
   output logic [7:0]                 port_o,   // 2 bits a tap: by which port
+  output logic [Ports-1:0]           read_o,   // the port has something to look up
   output logic [Ports*IndexBits-1:0] index_o   // a port; anything where it has nothing to do
 );
   if (Ports == 4) begin : gen_all
@@ -21,6 +22,7 @@ module ptm_palette_schedule #(
     assign last_o  = 1'b1;
     assign now_o   = fetched_i;
     assign port_o  = {2'd3, 2'd2, 2'd1, 2'd0};
+    assign read_o  = fetched_i;
     assign index_o = index_i;
     logic unused;
     assign unused = ^step_i;
@@ -31,7 +33,7 @@ module ptm_palette_schedule #(
     logic [2:0] count;     // all of them
     logic [4:0] more;      // the fewest taps for which another step is needed, less one
     always_comb begin
-      {count, more, now_o, port_o, index_o} = '0;
+      {count, more, now_o, port_o, read_o, index_o} = '0;
       for (int t = 0; t < 4; t++) rank[t] = 2'd0;
       last_o = 1'b1;
       if (fetched_i != '0) begin
@@ -44,6 +46,7 @@ module ptm_palette_schedule #(
           port_o[2*t +: 2] = rank[t] & 2'(Ports - 1);
           for (int p = 0; p < Ports; p++) begin
             if (now_o[t] && port_o[2*t +: 2] == 2'(p)) begin
+              read_o[p] = 1'b1;
               index_o[p*IndexBits +: IndexBits] = index_i[t*IndexBits +: IndexBits];
             end
           end

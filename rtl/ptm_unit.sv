@@ -6,7 +6,7 @@
 //
 // What it computes is docs/spec/unit.md, when it moves what docs/spec/unit-timing.md, the handshake
 // docs/spec/handshake.md. An all-hit fragment of one beat that is accepted in cycle c is offered as
-// a pixel in c + 24. No combinational path leads from an input to an output, but for the register
+// a pixel in c + 25. No combinational path leads from an input to an output, but for the register
 // port's read.
 //
 // Twins: ptm::reference::shade() for values, the timing `exact` of model/pipeline for cycles.
@@ -176,7 +176,7 @@ module ptm_unit #(
     localparam int LightW = ptm_pkg::light_bits(LightInt, LightFrac);
     logic signed [LightW-1:0] hu, hv;
     ptm_half_fifo #(
-      .Depth(FragmentFifo + 13), .Width(LightW)  // A0 to A3, T, K, F, D, P, L1, L2, L3, O
+      .Depth(FragmentFifo + 14), .Width(LightW)  // A0 to A3, T, K, F, D, Q, P, L1, L2, L3, O
     ) u_half_fifo (
       .clk_i(clk_i), .rst_ni(rst_ni), .push_i(frag_valid_i && frag_ready_o),
       .hu_i(frag_hu_i[LightW-1:0]), .hv_i(frag_hv_i[LightW-1:0]), .pop_i(o_leaves), .hu_o(hu),

@@ -1,12 +1,12 @@
 // The back of the texture unit: from the taps of a beat in D to the pixel. Wiring only.
 //
-//   D |P| U7 |L1| U7 |L2| U8 |L3| U9 U10 |O| D1..D7 (evaluator) | U11 products |C1| result |C2|
+//   D |Q|P| U7 |L1| U7 |L2| U8 |L3| U9 U10 |O| D1..D7 (evaluator) | U11 products |C1| result |C2|
 //
 // With effects (docs/spec/effects.md) extra passes go before a fragment's own; what they give is
 // kept behind the evaluator and travels beside the pixel to the effect chain behind C2.
 //
 // Values: docs/spec/unit.md. Cycles: docs/spec/unit-timing.md; what leaves D in cycle c as a
-// fragment's only beat is offered as a pixel in cycle c + 15 if nothing stalls. D itself belongs to
+// fragment's only beat is offered as a pixel in cycle c + 16 if nothing stalls. D itself belongs to
 // the front, with what stands in it, until d_valid_i and d_ready_o are high together.
 //
 // Twin: shade() in model/reference/unit/shade.h.
@@ -82,7 +82,7 @@ module ptm_unit_back #(
   localparam int DrawNumW = ptm_unit_pkg::DrawBits;
 
   // D to O
-  logic                            load_p, o_valid, o_ready, o_last_pass, o_rgb_map;
+  logic                            load_q, o_valid, o_ready, o_last_pass, o_rgb_map;
   logic [EvalLanes*6*StoredW-1:0]  o_coef;
   logic [6*CoefBits-1:0]           o_bias;
   logic [6*ptm_pkg::ShiftBits-1:0] o_shift;
@@ -106,7 +106,7 @@ module ptm_unit_back #(
     .pal_lrgb_we_i(pal_lrgb_we_i),
     .pal_lrgb_addr_i(pal_lrgb_addr_i), .pal_rgb_we_i(pal_rgb_we_i),
     .pal_rgb_addr_i(pal_rgb_addr_i), .pal_data_i(pal_data_i), .valid_i(d_valid_i),
-    .ready_o(d_ready_o), .beat_i(d_beat_i), .taps_i(d_taps_i), .load_p_o(load_p),
+    .ready_o(d_ready_o), .beat_i(d_beat_i), .taps_i(d_taps_i), .load_q_o(load_q),
     .palette_taps_o(d_palette_taps), .valid_o(o_valid), .ready_i(o_ready),
     .last_pass_o(o_last_pass), .extra_o(o_extra), .number_o(o_number), .passes_o(o_passes),
     .hu_i(hu_i), .hv_i(hv_i), .coef_o(o_coef), .bias_o(o_bias), .shift_o(o_shift),
@@ -296,7 +296,7 @@ module ptm_unit_back #(
   assign o_leaves      = o_valid && o_ready && o_last_pass;
   assign o_leaves_o    = o_leaves;
   assign inc_palette_o = d_valid_i && d_ready_o ? d_palette_taps : '0;
-  assign inc_filter_o  = load_p ? filter_multiplies : '0;
+  assign inc_filter_o  = load_q ? filter_multiplies : '0;
   assign inc_eval_o    = o_leaves ? eval_multiplies : '0;
   assign inc_combine_o = o_leaves ? combine_multiplies : '0;
 

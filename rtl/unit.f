@@ -39,6 +39,7 @@ rtl/ptm_palette_control.sv
 rtl/ptm_palette_word.sv
 rtl/ptm_port_select.sv
 rtl/ptm_tap_hold.sv
+rtl/ptm_tap_word.sv
 rtl/ptm_lane_tap.sv
 rtl/ptm_filter_lane.sv
 rtl/ptm_filter_field.sv

@@ -29,7 +29,7 @@ class RegisterChain {
   template <class Leave>
   Cycle accept(Cycle offered, Leave&& leave) {
     Cycle& left_before = left_[next_];
-    const Cycle enter = std::max({offered, enter_next_, left_before});
+    const Cycle enter = std::max(offered, free());
     const Cycle left = leave(std::max(enter + N, leave_next_));
     enter_next_ = enter + 1;
     leave_next_ = left + 1;
@@ -37,6 +37,10 @@ class RegisterChain {
     next_ = next_ + 1 == N ? 0 : next_ + 1;
     return enter;
   }
+
+  /// From when on the first register accepts: enter_1 of the item before, which is the enter_0 of
+  /// an item that is offered early.
+  [[nodiscard]] Cycle free() const { return std::max(enter_next_, left_[next_]); }
 
  private:
   std::array<Cycle, N> left_{};  ///< when the last N items left the chain, a ring

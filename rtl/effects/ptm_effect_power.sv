@@ -1,4 +1,5 @@
 // X2, a power by table; registers: table | lerp | product.          docs/spec/effects.md, X2
+// The first of them is the table's own: a memory that answers in the next cycle.
 //
 //   x = min(value[0], 255 << LumFrac); i = x >> LumFrac; f = x - (i << LumFrac)
 //   e = table[i] + narrow((table[min(i + 1, 255)] - table[i]) * f, LumFrac)
@@ -65,37 +66,46 @@ module ptm_effect_power #(
   logic [LumW-1:0]   x;
   logic [LumBits:0]  level;  // whole levels of value[0]
   logic [7:0]        index;
-  logic [EntryW-1:0] table_q [Draws * 256];
-  logic [EntryW-1:0] entry;
-  always_ff @(posedge clk_i) begin
-    if (table_we_i) table_q[table_addr_i] <= table_data_i;
-  end
   assign x     = value_i[LumW-1:0];
   assign level = {1'b0, x[LumW-1:LumFrac]};
   assign index = level[LumBits:8] != '0 ? 8'd255 : level[7:0];
-  assign entry = table_q[{pixel_i.draw, index}];
 
   // | lerp |
-  logic [EntryW-1:0] entry1_q, power, power2_q;
-  always_ff @(posedge clk_i) begin
-    if (load1 && acts) entry1_q <= entry;
-  end
+  logic [EntryW-1:0] power, power2_q;
   if (LumFrac == 0) begin : gen_entry
-    assign power = entry1_q;
+    ptm_ram #(.Depth(Draws * 256), .Width(EntryW)) u_table (
+      .clk_i(clk_i), .write_i(table_we_i), .write_address_i(table_addr_i),
+      .write_data_i(table_data_i), .read_i(load1 && acts),
+      .read_address_i({pixel_i.draw, index}), .read_data_o(power)
+    );
   end else begin : gen_lerp
-    logic [EntryW-1:0]  next_entry, next1_q;
+    // An entry and the next are one of an even and one of an odd number, each in a memory of half
+    // the table. The last one's next is entry 0 here, of which nothing is added: from 255 levels on
+    // x is 255, whose fraction is 0.
+    logic [EntryW-1:0]  even, odd, entry1, next1;
+    logic               odd1_q;
     logic [LumFrac-1:0] fraction1_q;
-    // Beyond 255 levels x is 255, whose fraction is 0: so is what the last entry's next would add.
-    assign next_entry = table_q[{pixel_i.draw, index == 8'd255 ? 8'd255 : index + 8'd1}];
+    ptm_ram #(.Depth(Draws * 128), .Width(EntryW)) u_even (
+      .clk_i(clk_i), .write_i(table_we_i && !table_addr_i[0]),
+      .write_address_i(table_addr_i[9:1]), .write_data_i(table_data_i), .read_i(load1 && acts),
+      .read_address_i({pixel_i.draw, index[7:1] + 7'(index[0])}), .read_data_o(even)
+    );
+    ptm_ram #(.Depth(Draws * 128), .Width(EntryW)) u_odd (
+      .clk_i(clk_i), .write_i(table_we_i && table_addr_i[0]),
+      .write_address_i(table_addr_i[9:1]), .write_data_i(table_data_i), .read_i(load1 && acts),
+      .read_address_i({pixel_i.draw, index[7:1]}), .read_data_o(odd)
+    );
     always_ff @(posedge clk_i) begin
       if (load1 && acts) begin
-        next1_q     <= next_entry;
-        fraction1_q <= x[LumFrac-1:0];
+        odd1_q      <= index[0];
+        fraction1_q <= index == 8'd255 ? '0 : x[LumFrac-1:0];
       end
     end
+    assign entry1 = odd1_q ? odd : even;
+    assign next1  = odd1_q ? even : odd;
     logic signed [EntryW:0]         difference;
     logic signed [EntryW+LumFrac:0] product, moved;
-    assign difference = signed'({1'b0, next1_q}) - signed'({1'b0, entry1_q});
+    assign difference = signed'({1'b0, next1}) - signed'({1'b0, entry1});
     assign product    = (EntryW+LumFrac+1)'(difference) *
                         (EntryW+LumFrac+1)'(signed'({1'b0, fraction1_q}));
     ptm_narrow #(
@@ -104,7 +114,7 @@ module ptm_effect_power #(
     ) u_narrow (
       .x_i(product), .amount_i(3'(LumFrac)), .y_o(moved)
     );
-    assign power = entry1_q + moved[EntryW-1:0];
+    assign power = entry1 + moved[EntryW-1:0];
     logic unused_sign;
     assign unused_sign = ^moved[EntryW+LumFrac:EntryW];
   end

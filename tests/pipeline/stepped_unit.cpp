@@ -139,7 +139,7 @@ void SteppedUnit::step_output() {
   o_free_ = !o_;
 }
 
-/// L3, L2, L1, P, D, F.
+/// L3, L2, L1, P, Q, D, F.
 void SteppedUnit::step_filter() {
   if (l3_ && (!l3_->last || o_free_)) {
     const Draw& draw = *l3_->draw;
@@ -151,11 +151,12 @@ void SteppedUnit::step_filter() {
   if (l2_ && !l3_) std::swap(l2_, l3_);
   if (l1_ && !l2_) std::swap(l1_, l2_);
   if (p_ && !l1_) std::swap(p_, l1_);
-  if (d_ && ++d_->stay >= palette_cycles(*d_)) {
-    if (!d_->completes) {
-      d_.reset();  // to the holding register
-    } else if (!p_) {
-      std::swap(d_, p_);
+  if (q_ && !p_) std::swap(q_, p_);
+  if (d_ && !q_ && ++d_->looked_up_cycles >= palette_cycles(*d_)) {
+    if (d_->completes) {
+      std::swap(d_, q_);
+    } else {
+      d_.reset();  // its taps are in Q's registers, which stays empty until the beat is whole
     }
   }
   if (f_ && !d_) {

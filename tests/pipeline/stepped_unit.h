@@ -46,9 +46,9 @@ class SteppedUnit {
     const reference::Draw* draw = nullptr;
     std::vector<Word> words;
     bool split_u = false, split_v = false;
-    bool completes = true;  ///< the last or only sub-beat
-    bool last = false;      ///< of its fragment, if it completes
-    int stay = 0;           ///< cycles spent in D so far
+    bool completes = true;     ///< the last or only sub-beat
+    bool last = false;         ///< of its fragment, if it completes
+    int looked_up_cycles = 0;  ///< look-up cycles in D so far
     bool looked_up = false;
     std::vector<std::vector<std::uint32_t>> ranks;  ///< lines to push
     std::size_t ranks_pushed = 0, ranks_committed = 0;
@@ -105,7 +105,7 @@ class SteppedUnit {
   std::deque<Beat> a3_;  ///< sub-beats still to be sent
   Register t_;
   std::deque<Beat> fifo_;
-  Register k_, f_, d_, p_, l1_, l2_, l3_;
+  Register k_, f_, d_, q_, p_, l1_, l2_, l3_;
   struct Operands {
     int extra_left = 0, passes_left = 0;
   };

@@ -132,7 +132,9 @@ INSTANTIATE_TEST_SUITE_P(
     Faults, PlantedX,
     testing::Values(Fault{"ColorThatWasNeverLoaded", "rtl/ptm_filter_fields.sv",
                           "assign replace     = !l3_color_i;", "assign replace     = 1'b0;"},
-                    Fault{"TapThatWasNeverFetched", "rtl/ptm_tap_hold.sv",
+                    Fault{"TapThatWasNeverFetched", "rtl/ptm_tap_word.sv",
+                          "if (!rst_ni) q_q <= '0;", "if (!rst_ni) q_q <= q_q;"},
+                    Fault{"EntryThatWasNeverLookedUp", "rtl/ptm_tap_hold.sv",
                           "if (!rst_ni) hold_q <= '0;", "if (!rst_ni) hold_q <= hold_q;"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 

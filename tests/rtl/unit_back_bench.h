@@ -128,6 +128,13 @@ class UnitBack {
     for (; dut.checking_o && cycles < 1000; ++cycles) edge();
     return cycles;
   }
+  /// After a reset, which leaves palettes as they were written.
+  void load_draws(const reference::UnitState& state) {
+    for (const reference::RegisterWrite& w : reference::register_writes(state)) {
+      if (w.address < 0x3000) write(w.address, w.data);
+    }
+    wait_for_check();
+  }
   void load(const reference::UnitState& state) {
     for (const reference::RegisterWrite& w : reference::register_writes(state)) {
       write(w.address, w.data);

@@ -11,6 +11,18 @@
 /// The cycles of docs/spec/unit-timing.md from D to the pixel, by recurrence over items in order.
 namespace ptm::tests {
 
+/// Look-up cycles of a beat or sub-beat in D.
+inline std::uint64_t look_up_cycles(const reference::UnitConfig& unit, const reference::Draw& draw,
+                                    const BackBeat& beat) {
+  using reference::TextureFormat;
+  const bool lrgb = draw.format == TextureFormat::palette_lrgb;
+  if ((!lrgb && draw.format != TextureFormat::palette_rgb) || beat.group != 0) return 1;
+  const int ports = lrgb ? unit.palette_lrgb_ports : unit.palette_rgb_ports;
+  int taps = 0;
+  for (unsigned t = 0; t < 4; ++t) taps += (beat.taps[0] >> t & 1U) != 0;
+  return static_cast<std::uint64_t>(std::max(1, (taps + ports - 1) / ports));
+}
+
 class BackSchedule {
  public:
   /// ready(c): the pixel that is offered in cycle c is taken.
@@ -19,21 +31,21 @@ class BackSchedule {
 
   /// A beat stands in D from cycle `in_d` on; the cycle in which it leaves.
   std::uint64_t beat(const reference::Draw& draw, const BackBeat& beat, std::uint64_t in_d) {
-    const std::uint64_t looked_up = in_d + look_up_cycles(draw, beat) - 1;
-    if (!beat.sub_last) return looked_up;
-    const std::uint64_t left = std::max(looked_up, filter_[0]);
-    // P, L1, L2: when each is left by this beat. filter_[n] is when the beat before left it.
+    // filter_[0] is when Q was left: it accepts from that cycle on, until a whole beat enters it.
+    const std::uint64_t left = std::max(in_d, filter_[0]) + look_up_cycles(unit_, draw, beat) - 1;
+    if (!beat.sub_last) return left;
+    // Q, P, L1, L2: when each is left by this beat. filter_[n] is when the beat before left it.
     std::uint64_t at = left;
-    for (unsigned n = 0; n < 3; ++n) {
+    for (unsigned n = 0; n < kPlain; ++n) {
       at = std::max(at + 1, filter_[n + 1]);
       filter_[n] = at;
     }
     if (!beat.last) {
-      filter_[3] = at + 1;
+      filter_[kPlain] = at + 1;
       return left;
     }
-    filter_[3] = std::max(at + 1, o_left_);
-    passes(reference::draw_passes(draw), filter_[3] + 1);
+    filter_[kPlain] = std::max(at + 1, o_left_);
+    passes(reference::draw_passes(draw), filter_[kPlain] + 1);
     return left;
   }
 
@@ -41,18 +53,8 @@ class BackSchedule {
   [[nodiscard]] const std::vector<std::uint64_t>& pixels() const { return pixels_; }
 
  private:
+  static constexpr unsigned kPlain = 4;      // Q, P, L1, L2
   static constexpr unsigned kEvaluator = 7;  // R1 to R7
-
-  [[nodiscard]] std::uint64_t look_up_cycles(const reference::Draw& draw,
-                                             const BackBeat& beat) const {
-    using reference::TextureFormat;
-    const bool lrgb = draw.format == TextureFormat::palette_lrgb;
-    if ((!lrgb && draw.format != TextureFormat::palette_rgb) || beat.group != 0) return 1;
-    const int ports = lrgb ? unit_.palette_lrgb_ports : unit_.palette_rgb_ports;
-    int taps = 0;
-    for (unsigned t = 0; t < 4; ++t) taps += (beat.taps[0] >> t & 1U) != 0;
-    return static_cast<std::uint64_t>(std::max(1, (taps + ports - 1) / ports));
-  }
 
   /// The passes of a fragment that stands in O from cycle `at` on.
   void passes(int count, std::uint64_t at) {
@@ -86,9 +88,9 @@ class BackSchedule {
 
   reference::UnitConfig unit_;
   std::function<bool(std::uint64_t)> ready_;
-  /// Cycles in which the item before left: P, L1, L2, L3; O; R1 to R7; the FIFO (the one before it
-  /// first); C1, C2. A register takes an item in the cycle in which it is left.
-  std::array<std::uint64_t, 4> filter_{};
+  /// Cycles in which the item before left: Q, P, L1, L2, L3; O; R1 to R7; the FIFO (the one before
+  /// it first); C1, C2. A register takes an item in the cycle in which it is left.
+  std::array<std::uint64_t, kPlain + 1> filter_{};
   std::uint64_t o_left_ = 0;
   std::array<std::uint64_t, kEvaluator> stage_{};
   std::array<std::uint64_t, 2> fifo_left_{};

@@ -1,6 +1,9 @@
 // The back of the texture unit in RTL: values against the reference, cycles against the contract.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 #include "tests/reference/unit_scene.h"
 #include "tests/rtl/unit_back_schedule.h"
 #include "tests/rtl/unit_back_variants.h"
@@ -140,6 +143,91 @@ TYPED_TEST(RtlUnitBack, EqualsTheReferenceAndItsCyclesOnRandomScenes) {
   for (unsigned n = 0; n < 6; ++n) EXPECT_GT(cases[n], 25) << "case " << n;
 }
 
+/// Palettised fragments, of four taps or one, split by seams or not, with plain ones among them.
+template <class Variant>
+std::vector<UnitFragment> mostly_palettised(UnitSceneMaker& maker, const UnitScene& scene,
+                                            std::size_t count) {
+  std::vector<UnitFragment> out;
+  while (out.size() < count) {
+    UnitFragment f = maker.fragment(scene);
+    const TextureFormat format = scene.state.draws[f.draw].format;
+    const bool palette =
+        format == TextureFormat::palette_lrgb || format == TextureFormat::palette_rgb;
+    if (!palette && maker.in(0, 4) != 0) continue;
+    const int light = 1 << (Variant::config.light_int + Variant::config.light_frac - 1);
+    f.lu = maker.in(-light, light - 1);
+    f.lv = maker.in(-light, light - 1);
+    out.push_back(f);
+  }
+  return out;
+}
+
+/// Whether a draw of the scene is palettised.
+bool has_palette(const UnitScene& scene) {
+  return std::ranges::any_of(scene.state.draws, [](const Draw& draw) {
+    return draw.format == TextureFormat::palette_lrgb || draw.format == TextureFormat::palette_rgb;
+  });
+}
+
+TYPED_TEST(RtlUnitBack, PalettisedBeatsKeepValuesAndCyclesAmongPlainOnes) {
+  std::map<std::uint64_t, int> look_ups;  // of how many cycles, beats of how many
+  int parts = 0;
+  int scenes = 0;
+  for (std::uint64_t seed = 100; scenes < 8; ++seed) {
+    UnitSceneMaker maker(seed);
+    const UnitScene scene = this->scene(seed);
+    if (!has_palette(scene)) continue;
+    this->bench_.reset();
+    this->bench_.load(scene.state);
+    const auto fragments = mostly_palettised<TypeParam>(maker, scene, 150);
+    for (const UnitFragment& f : fragments) {
+      for (const BackBeat& beat : back_beats(scene.state, TypeParam::unit, f)) {
+        ++look_ups[look_up_cycles(TypeParam::unit, scene.state.draws[f.draw], beat)];
+        parts += !beat.sub_last;
+      }
+    }
+    const unsigned gap = scenes % 2 == 0 ? 0 : 50;
+    const unsigned stall = std::array{0U, 40U, 70U, 90U}[static_cast<std::size_t>(scenes) / 2];
+    this->run(scene, fragments, {seed, gap, stall});
+    if (this->HasFatalFailure()) {
+      ADD_FAILURE() << "seed " << seed;
+      return;
+    }
+    ++scenes;
+  }
+  const int ports = std::min(TypeParam::unit.palette_lrgb_ports, TypeParam::unit.palette_rgb_ports);
+  for (int cycles = 1; cycles <= 4 / ports; cycles *= 2) {  // a footprint has 1, 2 or 4 taps
+    EXPECT_GT(look_ups[static_cast<std::uint64_t>(cycles)], 30) << cycles << " look-up cycles";
+  }
+  EXPECT_GT(parts, 30);
+}
+
+TYPED_TEST(RtlUnitBack, AResetAmidLookUpsLeavesNothingBehind) {
+  std::uint64_t seed = 200;
+  while (!has_palette(this->scene(seed))) ++seed;
+  UnitSceneMaker maker(seed);
+  const UnitScene scene = this->scene(seed);
+  this->bench_.reset();
+  this->bench_.load(scene.state);
+  for (std::size_t moment = 1; moment < 48; moment += moment < 12 ? 1 : 5) {
+    SCOPED_TRACE("a reset after " + std::to_string(moment) + " cycles");
+    const auto lost = mostly_palettised<TypeParam>(maker, scene, moment);
+    std::size_t cycle = 0;
+    for (const UnitFragment& f : lost) {
+      for (const BackBeat& beat : back_beats(scene.state, TypeParam::unit, f)) {
+        while (cycle < moment && !this->bench_.cycle(&beat, cycle % 3 == 0).left) ++cycle;
+        ++cycle;
+        if (cycle >= moment) break;
+      }
+      if (cycle >= moment) break;
+    }
+    this->bench_.reset();
+    this->bench_.load_draws(scene.state);
+    this->run(scene, mostly_palettised<TypeParam>(maker, scene, 12), {moment, 0, 50});
+    if (this->HasFatalFailure()) return;
+  }
+}
+
 /// One draw of one format, its textures of 4 x 4 texels.
 template <class Variant>
 class RtlUnitBackTiming : public RtlUnitBack<Variant> {
@@ -195,33 +283,34 @@ class RtlUnitBackTiming : public RtlUnitBack<Variant> {
   }
   UnitScene scene_;
 };
+TYPED_TEST_SUITE(RtlUnitBackTiming, Variants);
 using RtlUnitBackDefault = RtlUnitBackTiming<BackDefault>;
 using RtlUnitBackCorner = RtlUnitBackTiming<BackCorner>;
 
-TEST_F(RtlUnitBackDefault, APixelIsOfferedFifteenCyclesAfterItsOnlyBeatLeftD) {
+TEST_F(RtlUnitBackDefault, APixelIsOfferedSixteenCyclesAfterItsOnlyBeatLeftD) {
   load(TextureFormat::lrgb);
   const std::vector<BackBeat> one = beats(at(true));
   ASSERT_EQ(one.size(), 1U);
   ASSERT_TRUE(bench_.cycle(one.data(), false).left);
-  for (int cycle = 1; cycle < 15; ++cycle) {
+  for (int cycle = 1; cycle < 16; ++cycle) {
     ASSERT_FALSE(bench_.cycle(nullptr, false).offered) << "cycle " << cycle;
   }
   EXPECT_TRUE(bench_.cycle(nullptr, false).offered);
 }
 
-TEST_F(RtlUnitBackDefault, ExactlySixteenFragmentsOfOneBeatLeaveDWhileTheOutputIsBlocked) {
+TEST_F(RtlUnitBackDefault, ExactlySeventeenFragmentsOfOneBeatLeaveDWhileTheOutputIsBlocked) {
   load(TextureFormat::lrgb);
-  EXPECT_EQ(accepted_while_blocked(beats(at(true))), 5 + 7 + 2 + 2);
+  EXPECT_EQ(accepted_while_blocked(beats(at(true))), 6 + 7 + 2 + 2);
 }
 
 /// Six words on three TMUs: two beats a fragment. Two pixels stand in C1 and C2, two in the FIFO;
 /// the passes of three fragments fill the assembly register and R1 to R7; one fragment is in O, one
-/// in L3 (its first beat went to the accumulators); L2, L1 and P hold a beat each.
-TEST_F(RtlUnitBackDefault, OfAnRgbMapExactlyTwentyOneBeatsLeaveDWhileTheOutputIsBlocked) {
+/// in L3 (its first beat went to the accumulators); L2, L1, P and Q hold a beat each.
+TEST_F(RtlUnitBackDefault, OfAnRgbMapExactlyTwentyTwoBeatsLeaveDWhileTheOutputIsBlocked) {
   load(TextureFormat::rgb);
   const std::vector<BackBeat> two = beats(at(true));
   ASSERT_EQ(two.size(), 2U);
-  EXPECT_EQ(accepted_while_blocked(two), 2 * (2 + 2 + 3 + 1 + 1) + 3);
+  EXPECT_EQ(accepted_while_blocked(two), 2 * (2 + 2 + 3 + 1 + 1) + 4);
 }
 
 TEST_F(RtlUnitBackDefault, AFullUnitGoesOnInTheCycleAfterTheEvaluatorsFifoLetsAPixelGo) {
@@ -261,6 +350,36 @@ int cycles_in_d(Bench& bench, const BackBeat& beat, bool ready = true) {
   return cycles;
 }
 
+/// The unit is full of beats of one kind; then its output is free.
+TYPED_TEST(RtlUnitBackTiming, ABeatInDHasItsLookUpCyclesOnceABlockedQIsEmptied) {
+  for (const TextureFormat format : {TextureFormat::palette_lrgb, TextureFormat::palette_rgb}) {
+    for (const unsigned taps : {0b0001U, 0b1010U, 0b0111U, 0b1111U}) {
+      this->load(format);
+      const BackBeat whole = this->beats(this->at(true))[0];
+      BackBeat waiting = whole;
+      waiting.taps[0] = taps;
+      const std::uint64_t look_ups =
+          look_up_cycles(TypeParam::unit, this->scene_.state.draws[0], waiting);
+      SCOPED_TRACE(std::to_string(look_ups) + " look-up cycles, format " +
+                   std::to_string(static_cast<int>(format)));
+      this->accepted_while_blocked({whole});
+      // However long it stands before a full Q, it has had none.
+      for (int n = 0; n < 10; ++n) ASSERT_FALSE(this->bench_.cycle(&waiting, false).left);
+      std::uint64_t emptied = 0, left = 0;
+      // A beat of one look-up cycle, in a unit in the same state, leaves in the cycle in which Q is
+      // emptied.
+      while (!this->bench_.cycle(&waiting, true).left && left < 100) ++left;
+      this->load(format);
+      this->accepted_while_blocked({whole});
+      BackBeat quick = whole;
+      quick.taps[0] = 0b0001;
+      for (int n = 0; n < 10; ++n) ASSERT_FALSE(this->bench_.cycle(&quick, false).left);
+      while (!this->bench_.cycle(&quick, true).left && emptied < 100) ++emptied;
+      EXPECT_EQ(left, emptied + look_ups - 1);
+    }
+  }
+}
+
 TEST_F(RtlUnitBackDefault, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
   load(TextureFormat::palette_lrgb);  // four ports
   EXPECT_EQ(cycles_in_d(bench_, beats(at(true))[0]), 1);
@@ -283,17 +402,20 @@ TEST_F(RtlUnitBackCorner, APaletteTakesItsTapsByItsPortsAtATimeOutOfD) {
   EXPECT_EQ(cycles_in_d(bench_, three), 2);
 }
 
-TEST_F(RtlUnitBackDefault, ASubBeatThatIsNotTheLastLeavesDThoughTheUnitIsFull) {
+TEST_F(RtlUnitBackDefault, SubBeatsLeaveDWhileQIsEmptyAndWaitWhileItIsNot) {
   load(TextureFormat::palette_rgb);
   const BackBeat whole = beats(at(true))[0];
   const int held = accepted_while_blocked({whole});
-  load(TextureFormat::palette_rgb);
-  for (int left = 0; left < held;) left += bench_.cycle(&whole, false).left;
   BackBeat part = whole;
   part.sub_last = false;
   part.taps[0] = 0b0101;
+  for (int n = 0; n < 20; ++n) EXPECT_FALSE(bench_.cycle(&part, false).left) << "Q is full";
+  load(TextureFormat::palette_rgb);
+  for (int left = 0; left + 1 < held;) left += bench_.cycle(&whole, false).left;
+  for (int n = 0; n < 20; ++n) bench_.cycle(nullptr, false);                   // all but Q are full
   for (int n = 0; n < 3; ++n) EXPECT_EQ(cycles_in_d(bench_, part, false), 2);  // by one port
   part.sub_last = true;
+  EXPECT_EQ(cycles_in_d(bench_, part, false), 2);
   for (int n = 0; n < 20; ++n) EXPECT_FALSE(bench_.cycle(&part, false).left);
 }
 

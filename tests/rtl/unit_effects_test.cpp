@@ -101,7 +101,7 @@ TEST_P(RtlUnitEffects, TakeACycleAPassAndOneARegisterOfTheChain) {
     (void)unit->run({.fragments = fragments}, *memory, {});
     const auto result = unit->run({.fragments = fragments, .keep_cache = true}, *memory, {});
     const auto extra = static_cast<std::uint64_t>(passes);
-    const std::uint64_t first = 24 + words - 1 + extra + chain_registers(variant.unit.stages);
+    const std::uint64_t first = 25 + words - 1 + extra + chain_registers(variant.unit.stages);
     const std::uint64_t rate = std::max(words, 1 + extra);
     for (std::size_t n = 0; n < fragments.size(); ++n) {
       EXPECT_EQ(result.taken[n], first + n * rate) << passes << " passes, pixel " << n;
@@ -124,7 +124,7 @@ TEST_P(RtlUnitEffects, HoldWhatTheUnitHoldsAndAPixelARegisterOfTheChainWhenBlock
       accepted += unit->cycle({.valid = true, .pixel_ready = false}).ready;
     }
     const auto depth = static_cast<std::size_t>(variant.unit.fragment_fifo);
-    const std::size_t in_front = depth + 13;  // A0 to A3, T, K, F, D, P, L1, L2, L3, O
+    const std::size_t in_front = depth + 14;  // A0 to A3, T, K, F, D, Q, P, L1, L2, L3, O
     const std::size_t behind = 2 + chain_registers(variant.unit.stages);  // C1, C2
     // The evaluator's nine places begin with a pixel, since an extra pass would be taken. With one
     // extra pass a fragment, five of them are pixels; the last of the four extra passes behind them

@@ -219,7 +219,7 @@ TEST(RtlUnitMemoryTiming, AnAnswerInTheCycleOfItsRequestIsUsableTwoLater) {
     if (unit->cycle(pins).pixel_valid) shown.push_back(cycle);
   }
   EXPECT_EQ(asked, (std::vector<std::size_t>{6, 7, 8}));
-  EXPECT_EQ(shown, std::vector<std::size_t>{8 + 2 + 24 - 7});
+  EXPECT_EQ(shown, std::vector<std::size_t>{8 + 2 + 25 - 7});
   EXPECT_EQ(unit->read(0x1003), 0U);
 }
 

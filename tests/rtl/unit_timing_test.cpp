@@ -59,13 +59,13 @@ class RtlUnitTiming : public testing::Test {
   testbench::RtlUnitVariant small_ = testbench::rtl_unit_variants().back();
 };
 
-TEST_F(RtlUnitTiming, AFragmentOfOneBeatWithoutMissesIsAPixel24CyclesLater) {
+TEST_F(RtlUnitTiming, AFragmentOfOneBeatWithoutMissesIsAPixel25CyclesLater) {
   const UnitState state = lrgb_state(16, 16);
   unit_->load(state);
   const auto result = warm(*unit_, {at_texel(state, 5, 5)});
   ASSERT_EQ(result.taken.size(), 1U);
-  EXPECT_EQ(result.taken[0], 24U);
-  EXPECT_EQ(result.counters[UnitCounter::cycles], 25U);
+  EXPECT_EQ(result.taken[0], 25U);
+  EXPECT_EQ(result.counters[UnitCounter::cycles], 26U);
 }
 
 TEST_F(RtlUnitTiming, AWarmLrgbMapGivesAPixelACycle) {
@@ -74,7 +74,7 @@ TEST_F(RtlUnitTiming, AWarmLrgbMapGivesAPixelACycle) {
   std::vector<UnitFragment> fragments;
   for (int n = 0; n < 1024; ++n) fragments.push_back(at_texel(state, n % 32, n / 32));
   const auto result = warm(*unit_, fragments);
-  for (std::size_t n = 0; n < fragments.size(); ++n) EXPECT_EQ(result.taken[n], 24 + n);
+  for (std::size_t n = 0; n < fragments.size(); ++n) EXPECT_EQ(result.taken[n], 25 + n);
   EXPECT_EQ(result.counters[UnitCounter::tag_misses], 0U);
   EXPECT_EQ(result.counters[UnitCounter::bank_conflicts], 0U);
 }
@@ -87,17 +87,17 @@ TEST_F(RtlUnitTiming, ALineThatArrivesInACycleIsCommittedTwoLater) {
   const auto result = unit_->run({.fragments = fragments}, *slow, {});
   // In T in cycle 5, so the first of three requests leaves in 6; a rank waits for its last line.
   EXPECT_EQ(result.answered, (std::vector<Cycle>{56, 63, 70}));
-  EXPECT_EQ(result.taken[0], 70U + 2 + 24 - 7);
+  EXPECT_EQ(result.taken[0], 70U + 2 + 25 - 7);
 }
 
-TEST_F(RtlUnitTiming, BlockedItHoldsTheFragmentFifoAnd24BeatsBesides) {
+TEST_F(RtlUnitTiming, BlockedItHoldsTheFragmentFifoAnd25BeatsBesides) {
   const UnitState state = lrgb_state(16, 16);
   for (const bool small : {false, true}) {
     const auto unit = small ? small_.make() : testbench::make_rtl_unit_base3();
     unit->load(state);
     (void)warm(*unit, {at_texel(state, 5, 5)});
     const std::size_t depth = small ? 8 : 192;
-    EXPECT_EQ(accepted(*unit, at_texel(state, 5, 5), false), depth + 24);
+    EXPECT_EQ(accepted(*unit, at_texel(state, 5, 5), false), depth + 25);
   }
 }
 
@@ -152,7 +152,7 @@ TEST_F(RtlUnitTiming, SeamsOfOddSizesSplitABeatInTwoAndCornersInFour) {
     EXPECT_EQ(result.counters[UnitCounter::beats], 1 + seam.conflicts);
     EXPECT_EQ(result.counters[UnitCounter::taps], 12U);
     EXPECT_EQ(result.counters[UnitCounter::words], 3U);
-    EXPECT_EQ(result.taken[0], 24 + seam.conflicts);
+    EXPECT_EQ(result.taken[0], 25 + seam.conflicts);
   }
 }
 
@@ -194,9 +194,9 @@ TEST_F(RtlUnitTiming, IdleCyclesBetweenTwoFragmentsCountAsInputEmpty) {
   (void)warm(*unit_, fragments);
   const auto result =
       unit_->run({.fragments = fragments, .keep_cache = true}, *memory_, {.idle = 100});
-  EXPECT_EQ(result.taken, (std::vector<Cycle>{124, 225}));
-  EXPECT_EQ(result.counters[UnitCounter::cycles], 126U);
-  EXPECT_EQ(result.counters[UnitCounter::cycles_input_empty], 124U);
+  EXPECT_EQ(result.taken, (std::vector<Cycle>{125, 226}));
+  EXPECT_EQ(result.counters[UnitCounter::cycles], 127U);
+  EXPECT_EQ(result.counters[UnitCounter::cycles_input_empty], 125U);
 }
 
 TEST_F(RtlUnitTiming, AMemoryThatNeverAnswersIsReportedWithCycleFragmentAndLine) {

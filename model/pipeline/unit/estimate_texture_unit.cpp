@@ -13,7 +13,7 @@ namespace {
 using reference::UnitFragment;
 
 /// Cycles from a beat's leaving the commit stage to its pixel's being taken, without effects.
-constexpr double kDrain = 17;
+constexpr double kDrain = 18;
 /// Cycles after which saved fragments are spent at the latest, so that FIFO and ring are felt.
 constexpr double kSaved = 32;
 

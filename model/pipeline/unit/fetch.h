@@ -35,7 +35,7 @@ class Fetch final : public sc_core::sc_module {
   }
 
  private:
-  static constexpr Cycle kWay = 17;  // D, P, L1 to L3, O, seven and the FIFO, C1, C2, pixel
+  static constexpr Cycle kWay = 18;  // D, Q, P, L1 to L3, O, seven and the FIFO, C1, C2, pixel
 
   Palette& out_;
   UnitSink& sink_;

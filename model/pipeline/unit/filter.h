@@ -4,14 +4,14 @@
 
 namespace ptm::pipeline {
 
-/// P, L1, L2, L3 and O: a beat's taps become a word, the beats of a fragment its operands, and
+/// Q, P, L1, L2, L3 and O: a beat's taps become a word, the beats of a fragment its operands, and
 /// those one pass or three, behind those that effects add.
 class Filter final : public sc_core::sc_module {
  public:
   Filter(const sc_core::sc_module_name& name, UnitEvaluator& out) : sc_module(name), out_(out) {}
 
   /// kEffects, here and upstream: the unit has stages behind the combine stage, or draws with extra
-  /// passes. A whole beat offered to P; returns the cycle in which P takes it.
+  /// passes. A whole beat offered to Q; returns the cycle in which Q takes it.
   template <bool kEffects>
   Cycle accept(const UnitBeat& beat, Cycle offered) {
     return registers_.accept(offered, [&](Cycle in_l3) {
@@ -19,6 +19,8 @@ class Filter final : public sc_core::sc_module {
       return beat.last ? send_passes<kEffects>(*beat.draw, in_l3) : in_l3;
     });
   }
+  /// From when on Q accepts.
+  [[nodiscard]] Cycle free() const { return registers_.free(); }
   void reset() {
     registers_ = {};
     operands_free_ = 0;
@@ -41,7 +43,7 @@ class Filter final : public sc_core::sc_module {
   }
 
   UnitEvaluator& out_;
-  RegisterChain<4> registers_;
+  RegisterChain<5> registers_;
   Cycle operands_free_ = 0;  ///< when O's last pass left
 };
 

@@ -3,7 +3,8 @@
 
 namespace ptm::pipeline {
 
-/// D: holds the taps; a palettised map's are looked up here, as many a cycle as it has ports.
+/// D: holds the taps; a palettised map's are looked up here, as many a cycle as it has ports, in
+/// cycles in which Q accepts. All that leaves D goes to Q's registers.
 class Palette final : public sc_core::sc_module {
  public:
   Palette(const sc_core::sc_module_name& name, Filter& out) : sc_module(name), out_(out) {}
@@ -12,9 +13,10 @@ class Palette final : public sc_core::sc_module {
   template <bool kEffects>
   Cycle accept(const UnitBeat& beat, Cycle offered) {
     const Cycle enter = std::max(offered, free_);
-    const Cycle ready = enter + look_up(beat);
-    // A sub-beat that is not the last leaves for the holding register whatever P does.
-    free_ = beat.completes ? out_.accept<kEffects>(beat, ready) : ready;
+    // Q stays empty until the beat is whole, so the look-up cycles follow each other.
+    const Cycle leave = std::max(enter + 1, out_.free()) + look_up(beat) - 1;
+    if (beat.completes) out_.accept<kEffects>(beat, leave);
+    free_ = leave;
     return enter;
   }
   void reset() {
@@ -24,7 +26,7 @@ class Palette final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t lookups() const { return lookups_; }
 
  private:
-  /// Cycles that the beat stays at least.
+  /// Its look-up cycles, one at least.
   Cycle look_up(const UnitBeat& beat) {
     const unsigned ports = beat.plan->palette_ports;
     if (ports == 0) return 1;
