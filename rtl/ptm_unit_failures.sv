@@ -2,7 +2,7 @@
 // output beside all else, since fragments keep their order.
 //
 // The bits of a fragment's beats are gathered as they leave D, and kept with its last one until its
-// pixel is taken, at least ten cycles later. Between D and the output there are at most 16
+// pixel is taken, at least ten cycles later. Between D and the output there are at most 17
 // fragments, and one more for each register of effect stages.
 // docs/spec/unit-timing.md, Commit and fetch.
 `include "ptm_assert.svh"
