@@ -1,4 +1,5 @@
 #pragma once
+#include "model/reference/unit/unit_fragment.h"
 #include "model/reference/unit/unit_memory.h"
 
 namespace ptm::reference {
