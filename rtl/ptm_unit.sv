@@ -37,7 +37,10 @@ module ptm_unit #(
   parameter int HalfVector       = 0,    // fragments bring (hu, hv); needs ExtraPasses; 0, 1
   parameter int ExtraSets        = 0,    // coefficient sets beyond the map's; 0..ExtraPasses
   parameter int ExtraPasses      = 0,    // evaluator passes beyond the map's; 0..4
-  parameter int Stages           = 0     // mask of stages behind the combine stage
+  parameter int Stages           = 0,    // mask of stages behind the combine stage
+  // What only tells of the unit's work
+  parameter int Counters         = 1,    // 0: no counters, their registers read as 0; 0, 1
+  parameter int DuplicateLines   = 1     // the counter duplicate_lines; needs Counters; 0, 1
 ) (
   input  logic         clk_i,
   // Both fall at any time and must rise between two rising edges of clk_i, as a synchroniser of the
@@ -99,7 +102,8 @@ module ptm_unit #(
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
     .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
     .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
-    .ExtraPasses(ExtraPasses), .Stages(Stages)
+    .ExtraPasses(ExtraPasses), .Stages(Stages), .Counters(Counters),
+    .DuplicateLines(DuplicateLines)
   ) u_parameters ();
 
   // Registers
@@ -123,7 +127,8 @@ module ptm_unit #(
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
     .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
     .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
-    .ExtraPasses(ExtraPasses), .Stages(Stages)
+    .ExtraPasses(ExtraPasses), .Stages(Stages), .Counters(Counters),
+    .DuplicateLines(DuplicateLines)
   ) u_capabilities (
     .words_o(capabilities)
   );
@@ -203,7 +208,8 @@ module ptm_unit #(
   logic [5:0] inc_eval, inc_effects;
   ptm_unit_front #(
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
-    .MissFifo(MissFifo), .ExtraSets(ExtraSets), .Stages(Stages)
+    .MissFifo(MissFifo), .ExtraSets(ExtraSets), .Stages(Stages), .Counters(Counters),
+    .DuplicateLines(DuplicateLines)
   ) u_front (
     .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining),
     .draws_i(draws), .sets_i(sets),

@@ -26,14 +26,16 @@ module ptm_unit_capabilities #(
   parameter int HalfVector       = 0,
   parameter int ExtraSets        = 0,
   parameter int ExtraPasses      = 0,
-  parameter int Stages           = 0
+  parameter int Stages           = 0,
+  parameter int Counters         = 1,
+  parameter int DuplicateLines   = 1
 ) (
   output logic [32*ptm_unit_pkg::CapabilityWords-1:0] words_o  // word 0 lowest
 );
   // Build
-  assign words_o[31:0]    = {6'd0, 2'(EvalLanes), 1'b0, 3'(PaletteRgbPorts), 1'b0,
-                             3'(PaletteLrgbPorts), 1'b0, 7'(CacheKib), 1'b0, 3'(Ways), 2'd0,
-                             2'(Tmus)};
+  assign words_o[31:0]    = {2'd0, 1'(DuplicateLines), 1'(Counters), 2'd0, 2'(EvalLanes), 1'b0,
+                             3'(PaletteRgbPorts), 1'b0, 3'(PaletteLrgbPorts), 1'b0, 7'(CacheKib),
+                             1'b0, 3'(Ways), 2'd0, 2'(Tmus)};
   assign words_o[63:32]   = {7'd0, 9'(MissFifo), 5'd0, 11'(FragmentFifo)};
   // Effects
   assign words_o[95:64]   = {8'd0, 8'(Stages), 7'd0, 1'(HalfVector), 1'b0, 3'(ExtraPasses), 1'b0,

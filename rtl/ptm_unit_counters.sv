@@ -15,8 +15,7 @@ module ptm_unit_counters #(
   // Fragments in, pixels out
   input  logic        accepted_i,
   input  logic        taken_i,
-  output logic        busy_o,  // fragments are inside
-  output logic        last_taken_o,  // the last of them leaves as a pixel, and none enters
+  input  logic        inside_i,  // fragments are inside
   // K and T
   input  logic        k_leaves_i,
   input  logic        k_holds_i,
@@ -48,20 +47,14 @@ module ptm_unit_counters #(
 
   // Cycles
   logic        started_q;
-  logic [15:0] inside_q;
   logic [63:0] idle_q;  // cycles with nothing inside since the last pixel was taken
-  logic        working, counts;
-  assign working = inside_q != '0;
-  assign busy_o = working;
-  assign last_taken_o = taken_i && !accepted_i && inside_q == 16'd1;
-  assign counts = working || accepted_i;
+  logic        counts;
+  assign counts = inside_i || accepted_i;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       started_q <= 1'b0;
-      inside_q  <= '0;
       idle_q    <= '0;
     end else begin
-      inside_q <= inside_q + 16'(accepted_i) - 16'(taken_i);
       if (clear_i) begin
         started_q <= 1'b0;
         idle_q    <= '0;

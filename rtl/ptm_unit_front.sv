@@ -15,6 +15,8 @@ module ptm_unit_front #(
   parameter int DuplicateLines = 1,  // 0: the counter of that name is 0
   parameter int ExtraSets    = 0,    // 0..4
   parameter int Stages       = 0,    // mask
+  parameter int Counters       = 1,  // 0, 1
+  parameter int DuplicateLines = 1,  // 0, 1
   localparam int LineBits    = ptm_unit_pkg::LineBits,
   localparam int LineWidth   = ptm_unit_front_pkg::LineWidth
 ) (
@@ -175,19 +177,33 @@ module ptm_unit_front #(
     .beat_o(d_beat_o), .taps_o(d_taps_o), .failed_o(d_error_o)
   );
 
-  ptm_unit_counters #(
-    .Tmus(Tmus), .Stages(Stages)
-  ) u_counters (
-    .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(clear_i), .accepted_i(valid_i && ready_o),
-    .taken_i(pixel_taken_i), .busy_o(busy_o), .last_taken_o(last_taken_o),
-    .k_leaves_i(k_valid && f_ready),
-    .k_holds_i(k_holds), .f_accepts_i(f_ready), .t_waits_for_slots_i(t_waits),
-    .inc_conflicts_i(inc_conflicts), .inc_words_i(inc_words), .inc_taps_i(inc_taps),
-    .inc_lines_i(mem_req_valid_o && mem_req_ready_i), .inc_palette_i(inc_palette_i),
-    .inc_multiplies_address_i(inc_address), .inc_multiplies_filter_i(inc_filter_i),
-    .inc_multiplies_eval_i(inc_eval_i), .inc_multiplies_combine_i(inc_combine_i),
-    .inc_multiplies_effects_i(inc_effects_i),
-    .looked_i(looked), .hits_i(hits), .misses_i(misses), .duplicates_i(duplicates),
-    .color_i(looked_color), .draw_i(looked_draw), .number_i(counter_number_i), .value_o(counter_o)
+  ptm_unit_inside u_inside (
+    .clk_i(clk_i), .rst_ni(rst_ni), .accepted_i(valid_i && ready_o), .taken_i(pixel_taken_i),
+    .busy_o(busy_o), .last_taken_o(last_taken_o)
   );
+
+  if (Counters == 0) begin : gen_no_counters
+    assign counter_o = '0;
+    logic unused_counts;
+    assign unused_counts = ^{clear_i, counter_number_i, inc_palette_i, inc_filter_i, inc_eval_i,
+                             inc_combine_i, inc_effects_i, inc_conflicts, inc_words, inc_taps,
+                             inc_address, k_holds, t_waits, looked, hits, misses, duplicates,
+                             looked_color, looked_draw};
+  end else begin : gen_counters
+    ptm_unit_counters #(
+      .Tmus(Tmus), .Stages(Stages)
+    ) u_counters (
+      .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(clear_i), .accepted_i(valid_i && ready_o),
+      .taken_i(pixel_taken_i), .inside_i(busy_o), .k_leaves_i(k_valid && f_ready),
+      .k_holds_i(k_holds), .f_accepts_i(f_ready), .t_waits_for_slots_i(t_waits),
+      .inc_conflicts_i(inc_conflicts), .inc_words_i(inc_words), .inc_taps_i(inc_taps),
+      .inc_lines_i(mem_req_valid_o && mem_req_ready_i), .inc_palette_i(inc_palette_i),
+      .inc_multiplies_address_i(inc_address), .inc_multiplies_filter_i(inc_filter_i),
+      .inc_multiplies_eval_i(inc_eval_i), .inc_multiplies_combine_i(inc_combine_i),
+      .inc_multiplies_effects_i(inc_effects_i),
+      .looked_i(looked), .hits_i(hits), .misses_i(misses),
+      .duplicates_i(DuplicateLines == 0 ? '0 : duplicates), .color_i(looked_color),
+      .draw_i(looked_draw), .number_i(counter_number_i), .value_o(counter_o)
+    );
+  end
 endmodule

@@ -27,7 +27,9 @@ module ptm_unit_parameters #(
   parameter int HalfVector       = 0,
   parameter int ExtraSets        = 0,
   parameter int ExtraPasses      = 0,
-  parameter int Stages           = 0
+  parameter int Stages           = 0,
+  parameter int Counters         = 1,
+  parameter int DuplicateLines   = 1
 ) ();
   ptm_evaluator_parameters #(
     .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
@@ -54,4 +56,7 @@ module ptm_unit_parameters #(
   `PTM_REQUIRE(ptm_illegal_ExtraSets_not_0_to_ExtraPasses,
                ExtraSets >= 0 && ExtraSets <= ExtraPasses)
   `PTM_REQUIRE(ptm_illegal_Stages_not_a_mask_of_8_bits, Stages >= 0 && Stages <= 255)
+  `PTM_REQUIRE(ptm_illegal_Counters_not_0_or_1, Counters == 0 || Counters == 1)
+  `PTM_REQUIRE(ptm_illegal_DuplicateLines_not_0_or_1, DuplicateLines == 0 || DuplicateLines == 1)
+  `PTM_REQUIRE(ptm_illegal_DuplicateLines_without_Counters, DuplicateLines == 0 || Counters != 0)
 endmodule

@@ -30,6 +30,7 @@ rtl/ptm_unit_data_bank.sv
 rtl/ptm_unit_taps.sv
 rtl/ptm_unit_tmu_fetch.sv
 rtl/ptm_unit_fetch.sv
+rtl/ptm_unit_inside.sv
 rtl/ptm_unit_counters.sv
 rtl/ptm_unit_failures.sv
 rtl/ptm_unit_front.sv

@@ -75,9 +75,20 @@ void add_build(std::string& page, const UnitSection& unit) {
                  std::to_string(c.palette_rgb_ports) + " for RGB");
   }
   add_fact(page, "Evaluators", std::to_string(c.eval_lanes));
+  if (!c.counters) {
+    add_fact(page, "Counters", "none");
+  } else if (!c.duplicate_lines) {
+    add_fact(page, "Counters", "all but duplicate_lines");
+  }
   for (const std::string& block : unit.effect_blocks) add_fact(page, "For effects", block);
   if (!unit.memory.empty()) add_fact(page, "Memory", unit.memory);
   page += "</dl>\n";
+}
+
+std::size_t built_counters(const reference::UnitConfig& config) {
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < reference::kUnitCounters; ++n) count += has_counter(config, n);
+  return count;
 }
 
 std::string list_counters(const std::vector<std::string>& names) {
@@ -96,9 +107,12 @@ void add_unit_verdict(std::string& page, const RunResult& result) {
   if (unit.late_pixels == 0 && unit.differing_counters.empty()) {
     const UnitTiming* rtl = find_timing(unit, "rtl");
     if (!rtl || !find_timing(unit, "pipeline")) return;
-    page += "<p class=\"verdict good\"><strong>✓ pipeline and rtl agree in the cycle of each of " +
-            plural(rtl->counters[UnitCounter::pixels], "pixel") + " and in all " +
-            std::to_string(reference::kUnitCounters) + " counters.</strong></p>\n";
+    page += "<p class=\"verdict good\"><strong>✓ pipeline and rtl agree in the cycle of " +
+            (has_counter(unit.config, UnitCounter::pixels)
+                 ? "each of " + plural(rtl->counters[UnitCounter::pixels], "pixel") +
+                       " and in all " + std::to_string(built_counters(unit.config)) + " counters"
+                 : std::string("each pixel; the unit is built without counters")) +
+            ".</strong></p>\n";
     return;
   }
   page += "<p class=\"verdict bad\"><strong>✗ pipeline and rtl differ in time.</strong>";
@@ -127,7 +141,14 @@ void add_unit(std::string& page, const RunResult& result) {
   if (!result.unit) return;
   const UnitSection& unit = *result.unit;
   open_section(page, "unit", "The texture unit in time");
-  if (const UnitTiming* lead = lead_timing(unit)) {
+  const UnitTiming* lead = lead_timing(unit);
+  if (lead && !unit.config.counters) {
+    add_build(page, unit);
+    page +=
+        "<p class=\"soft\">The unit is built without counters: its cycles, look-ups and traffic "
+        "are "
+        "not counted.</p>\n";
+  } else if (lead) {
     add_tiles(page, unit, *lead);
     add_build(page, unit);
     add_cycle_classes(page, unit);

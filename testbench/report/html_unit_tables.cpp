@@ -116,11 +116,13 @@ void add_traffic_table(std::string& page, const UnitSection& unit) {
       return knows(t, line.counter) ? cell(per_pixel(t, line.counter), 4) : "–";
     });
   }
-  add_figure_row(page, unit, "Duplicate lines<small>also in another TMU's cache</small>",
-                 [](const UnitTiming& t) {
-                   return count_of(t, UnitCounter::duplicate_lines, UnitCounter::lines_read,
-                                   "lines read");
-                 });
+  if (has_counter(unit.config, UnitCounter::duplicate_lines)) {
+    add_figure_row(page, unit, "Duplicate lines<small>also in another TMU's cache</small>",
+                   [](const UnitTiming& t) {
+                     return count_of(t, UnitCounter::duplicate_lines, UnitCounter::lines_read,
+                                     "lines read");
+                   });
+  }
   add_figure_row(page, unit,
                  "Bank conflicts<small>sub-beats beyond a beat's first, at a seam</small>",
                  [](const UnitTiming& t) {

@@ -14,7 +14,9 @@ Json config_json(const reference::UnitConfig& config) {
           {"miss_fifo", config.miss_fifo},
           {"palette_lrgb_ports", config.palette_lrgb_ports},
           {"palette_rgb_ports", config.palette_rgb_ports},
-          {"eval_lanes", config.eval_lanes}};
+          {"eval_lanes", config.eval_lanes},
+          {"counters", config.counters},
+          {"duplicate_lines", config.duplicate_lines}};
 }
 
 Json name_or_null(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
@@ -28,10 +30,11 @@ Json draw_json(const UnitDraw& draw) {
   return json;
 }
 
-Json timing_json(const UnitTiming& timing) {
+Json timing_json(const reference::UnitConfig& config, const UnitTiming& timing) {
   Json counters = Json::object();
   for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
     if (!knows(timing, n)) continue;
+    if (!timing.estimate && !has_counter(config, n)) continue;
     const bool effects = n == static_cast<std::size_t>(reference::UnitCounter::multiplies_effects);
     if (effects && timing.counters.value[n] == 0) continue;
     counters[std::string(reference::unit_counter_names()[n])] = timing.counters.value[n];
@@ -54,7 +57,9 @@ Json unit_json(const UnitSection& unit) {
                {"differing_counters", unit.differing_counters}};
   if (!unit.effect_blocks.empty()) json["effect_blocks"] = unit.effect_blocks;
   for (const UnitDraw& draw : unit.draws) json["draws"].push_back(draw_json(draw));
-  for (const UnitTiming& timing : unit.timings) json["timings"][timing.model] = timing_json(timing);
+  for (const UnitTiming& timing : unit.timings) {
+    json["timings"][timing.model] = timing_json(unit.config, timing);
+  }
   return json;
 }
 

@@ -104,7 +104,7 @@ std::vector<std::size_t> counters_to_show(const UnitSection& unit) {
   for (std::size_t n = 0; n < show.size(); ++n) {
     const bool counted = std::any_of(unit.timings.begin(), unit.timings.end(),
                                      [n](const UnitTiming& t) { return t.counters.value[n] > 0; });
-    if (show[n] || counted) numbers.push_back(n);
+    if (has_counter(unit.config, n) && (show[n] || counted)) numbers.push_back(n);
   }
   return numbers;
 }

@@ -68,7 +68,8 @@ struct DrawTexture {
 [[nodiscard]] std::vector<DrawTexture> draw_textures(const UnitSection& unit);
 
 /// Numbers of the counters that the scene calls for: not those of textures that no draw has, nor
-/// the palette's without look-ups. A counter that is not 0 in some model is always there.
+/// the palette's without look-ups, nor those that the unit is built without. Of the others one that
+/// is not 0 in some model is always there.
 [[nodiscard]] std::vector<std::size_t> counters_to_show(const UnitSection& unit);
 
 }  // namespace ptm::testbench

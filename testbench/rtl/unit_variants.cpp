@@ -44,10 +44,11 @@ using reference::kBase;
 using reference::kPaper8;
 using reference::kWide;
 
-const std::array<RtlUnitVariant, 9> kUnits{
+const std::array<RtlUnitVariant, 10> kUnits{
     {{"base3", kBase, {}, make_rtl_unit_base3},
      {"base2", kBase, {.tmus = 2}, make_rtl_unit_base2},
      {"base1", kBase, {.tmus = 1}, make_rtl_unit_base1},
+     {"bare", kBase, {.counters = false, .duplicate_lines = false}, make_rtl_unit_bare},
      {"paper8", kPaper8, {}, make_rtl_unit_paper8},
      {"wide", kWide, {}, make_rtl_unit_wide},
      {"effects", kBase, with_effects({}, 3, 4, kStages), make_rtl_unit_effects},

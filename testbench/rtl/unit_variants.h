@@ -18,6 +18,7 @@ namespace ptm::testbench {
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_effects();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_specular();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small_effects();
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_bare();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small();
 
 #ifdef PTM_VARIANT_LIBRARY
@@ -31,10 +32,10 @@ struct RtlUnitVariant {
   std::unique_ptr<RtlUnit> (*make)();
 };
 
-/// What ptmsim links. `effects` has all that effects need, `specular` what a half-vector's
-/// highlight does. `small` is everything small, so that all that can be full is full, with the
-/// RTL's assertions built in; it is the last. `small_effects` is that with all that effects need,
-/// one TMU, truncation and fraction bits.
+/// What ptmsim links. `bare` is `base3` without counters. `effects` has all that effects need,
+/// `specular` what a half-vector's highlight does. `small` is everything small, so that all that
+/// can be full is full, with the RTL's assertions built in; it is the last. `small_effects` is that
+/// with all that effects need, one TMU, truncation and fraction bits.
 [[nodiscard]] std::span<const RtlUnitVariant> rtl_unit_variants();
 
 /// Null if no variant of those parameters comes with the build.

@@ -219,7 +219,9 @@ std::vector<std::string> rtl_parameters(const reference::EvalConfig& config,
           value("HalfVector", unit.half_vector),
           value("ExtraSets", unit.extra_sets),
           value("ExtraPasses", unit.extra_passes),
-          value("Stages", unit.stages)};
+          value("Stages", unit.stages),
+          value("Counters", unit.counters),
+          value("DuplicateLines", unit.duplicate_lines)};
 }
 
 fs::path variant_library(const reference::EvalConfig& config, const reference::UnitConfig& unit) {

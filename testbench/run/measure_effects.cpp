@@ -88,7 +88,7 @@ EffectRun effect_run(const SceneRun& drawn) {
   for (const UnitTiming& timing : result.unit->timings) {
     if (timing.estimate) {
       run.seconds.emplace_back("loose", timing.seconds);
-    } else {
+    } else if (result.unit->config.counters) {
       run.counters = timing.counters;  // rtl comes last
     }
   }

@@ -19,9 +19,11 @@ bool names(const golden::UnitScene& scene, const std::string& model) {
   return std::find(scene.models.begin(), scene.models.end(), model) != scene.models.end();
 }
 
-std::vector<Counter> named(const reference::UnitCounters& counters) {
+std::vector<Counter> named(const reference::UnitConfig& unit,
+                           const reference::UnitCounters& counters) {
   std::vector<Counter> list;
   for (std::size_t i = 0; i < counters.value.size(); ++i) {
+    if (!has_counter(unit, i)) continue;
     const bool effects = i == static_cast<std::size_t>(reference::UnitCounter::multiplies_effects);
     if (effects && counters.value[i] == 0) continue;  // a scene without them has no row for them
     list.push_back({std::string(reference::unit_counter_names()[i]), counters.value[i]});
@@ -34,8 +36,8 @@ ModelResult model_result(const UnitJob& job, const UnitTimed& timed, const Pixel
   result.model = timed.model;
   result.seconds = timed.seconds;
   const reference::UnitCounters counters = total_counters(timed);
-  result.cycles = counters[reference::UnitCounter::cycles];
-  result.counters = named(counters);
+  if (job.unit.counters) result.cycles = counters[reference::UnitCounter::cycles];
+  result.counters = named(job.unit, counters);
   for (const auto& frame : pixels) result.frames.push_back(unit_image(job.scene, frame));
   return result;
 }

@@ -24,6 +24,15 @@ std::vector<std::uint32_t> windows(const UnitTimed& timed, std::uint64_t window)
   return lines;
 }
 
+/// The cycles in which the frames' last pixels leave, added up.
+std::uint64_t last_cycles(const UnitTimed& timed) {
+  std::uint64_t sum = 0;
+  for (const pipeline::UnitFrameResult& frame : timed.frames) {
+    if (!frame.taken.empty()) sum += frame.taken.back();
+  }
+  return sum;
+}
+
 std::string texture_name(const UnitJob& job, int texture) {
   return texture < 0 ? "" : job.textures[static_cast<std::size_t>(texture)].name;
 }
@@ -96,7 +105,9 @@ UnitSection make_unit_section(const UnitJob& job, const std::vector<UnitTimed>& 
   }
   std::uint64_t cycles = 0;
   for (const UnitTimed& model : timed) {
-    cycles = std::max(cycles, total_counters(model)[reference::UnitCounter::cycles]);
+    cycles =
+        std::max(cycles, job.unit.counters ? total_counters(model)[reference::UnitCounter::cycles]
+                                           : last_cycles(model));
   }
   section.window = std::max<std::uint64_t>(1, cycles / kWindows);
   for (std::size_t d = 0; d < job.scene.draws.size(); ++d) {

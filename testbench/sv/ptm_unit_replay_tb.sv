@@ -49,7 +49,7 @@ module ptm_unit_replay_tb;
   reg [8*8-1:0]    command;
   reg [8*1024-1:0] name;
   reg [31:0]       number, value;
-  reg        x_frag_ready, x_req_valid, x_pix_valid, x_lum, x_color, x_error;
+  reg        x_frag_ready, x_req_valid, x_pix_valid, x_lum, x_color, x_error, x_irq;
   reg [25:0] x_line;
   reg [7:0]  x_tag, x_alpha;
   reg [13:0] x_x, x_y;
@@ -146,9 +146,9 @@ module ptm_unit_replay_tb;
           got = $fscanf(file, "%h %h %h %h %h %h", pix_ready, req_ready, rsp_valid, rsp_tag,
                         rsp_error, rsp_line);
           got = $fscanf(file, "%h %h %h %h", x_frag_ready, x_req_valid, x_line, x_tag);
-          got = $fscanf(file, "%h %h %h %h %h %h %h %h", x_pix_valid, x_x, x_y, x_rgb, x_alpha,
-                        x_lum, x_color, x_error);
-          if (got != 8) complain("this line cannot be read");
+          got = $fscanf(file, "%h %h %h %h %h %h %h %h %h", x_pix_valid, x_x, x_y, x_rgb, x_alpha,
+                        x_lum, x_color, x_error, x_irq);
+          if (got != 9) complain("this line cannot be read");
           if (!frag_valid) begin
             {frag_x, frag_y, frag_u, frag_v, frag_axis_u, frag_axis_v} = {146{1'bx}};
             {frag_lod, frag_probes_log2, frag_lu, frag_lv, frag_hu, frag_hv} = {83{1'bx}};
@@ -163,6 +163,7 @@ module ptm_unit_replay_tb;
             if (wrong <= 10)
               $display("  line %h tag %h, expected %h %h", req_line, req_tag, x_line, x_tag);
           end
+          if (irq !== x_irq) complain("the interrupt differs");
           if (pix_valid !== x_pix_valid) complain("the pixels' valid differs");
           if (x_pix_valid && {pix_x, pix_y, pix_rgb, pix_alpha, pix_lum, pix_color, pix_error} !==
               {x_x, x_y, x_rgb, x_alpha, x_lum, x_color, x_error}) begin

@@ -30,7 +30,9 @@ module ptm_unit_tb #(
   parameter int HalfVector       = 0,
   parameter int ExtraSets        = 0,
   parameter int ExtraPasses      = 0,
-  parameter int Stages           = 0
+  parameter int Stages           = 0,
+  parameter int Counters         = 1,
+  parameter int DuplicateLines   = 1
 ) (
   input  logic               clk_i,  // a cycle each time it changes
   input  logic               rst_ni,
@@ -93,7 +95,8 @@ module ptm_unit_tb #(
     .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
     .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
     .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
-    .ExtraPasses(ExtraPasses), .Stages(Stages)
+    .ExtraPasses(ExtraPasses), .Stages(Stages), .Counters(Counters),
+    .DuplicateLines(DuplicateLines)
   ) u_dut (
     .clk_i                (clk),
     .rst_ni               (rst_ni),
@@ -192,6 +195,8 @@ module ptm_unit_tb #(
         8'd149: probe_o = 32'(ExtraPasses);
         8'd150: probe_o = 32'(HalfVector);
         8'd151: probe_o = 32'(Stages);
+        8'd152: probe_o = 32'(Counters);
+        8'd153: probe_o = 32'(DuplicateLines);
         default: probe_o = 32'd0;
       endcase
     end

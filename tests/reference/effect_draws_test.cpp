@@ -173,6 +173,10 @@ TEST(CheckDrawWithEffects, SetsTheFourthBitForPassesOfWhatTheDrawHasNot) {
 TEST(UnitConfigCheck, OfEffectsNamesTheFieldItsValueAndWhatIsExpected) {
   validate(kAll);
   validate(UnitConfig{.extra_passes = 1});
+  validate(UnitConfig{.duplicate_lines = false});
+  validate(UnitConfig{.counters = false, .duplicate_lines = false});
+  EXPECT_EQ(tests::refusal([] { validate(UnitConfig{.counters = false}); }),
+            "duplicate_lines = 1, expected 0 to 0");
   const auto refused = [](const UnitConfig& config) {
     return tests::refusal([&] { validate(config); });
   };

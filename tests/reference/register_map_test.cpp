@@ -24,7 +24,7 @@ unsigned part(const std::array<std::uint32_t, kCapabilityWords>& words, const Ca
 
 TEST(CapabilityWords, OfTheBaseUnitAreThoseOfThePage) {
   const std::array<std::uint32_t, kCapabilityWords> expected{
-      0x01141023,   // 3 TMUs, 2 ways, 16 KiB, 4 ports, 1 port, 1 evaluator
+      0x31141023,   // 3 TMUs, 2 ways, 16 KiB, 4 ports, 1 port, 1 evaluator, counters
       0x004000c0,   // 192 beats, 64 lines
       0x00000000,   //
       0x413f771f,   // formats 0 to 4, mip 0 to 2, wrap 0 to 2, combine 0 to 5, bilinear, 16 probes
@@ -67,7 +67,9 @@ TEST(CapabilityWords, HoldEveryParameterAtBothEndsOfItsRange) {
                          .miss_fifo = 4,
                          .palette_lrgb_ports = 1,
                          .palette_rgb_ports = 1,
-                         .eval_lanes = 1};
+                         .eval_lanes = 1,
+                         .counters = false,
+                         .duplicate_lines = false};
   const UnitConfig large{.tmus = 3,
                          .cache_kib = 64,
                          .ways = 4,
@@ -84,12 +86,14 @@ TEST(CapabilityWords, HoldEveryParameterAtBothEndsOfItsRange) {
     CapabilityField field;
     unsigned low, high;
   };
-  const std::array<Case, 24> cases{{{{"Tmus", 0, 1, 0}, 1, 3},
+  const std::array<Case, 26> cases{{{{"Tmus", 0, 1, 0}, 1, 3},
                                     {{"Ways", 0, 6, 4}, 1, 4},
                                     {{"CacheKib", 0, 14, 8}, 1, 64},
                                     {{"PaletteLrgbPorts", 0, 18, 16}, 1, 4},
                                     {{"PaletteRgbPorts", 0, 22, 20}, 1, 4},
                                     {{"EvalLanes", 0, 25, 24}, 1, 3},
+                                    {{"Counters", 0, 28, 28}, 0, 1},
+                                    {{"DuplicateLines", 0, 29, 29}, 0, 1},
                                     {{"FragmentFifo", 1, 10, 0}, 4, 1024},
                                     {{"MissFifo", 1, 24, 16}, 4, 256},
                                     {{"ExtraSets", 2, 2, 0}, 0, 4},

@@ -50,7 +50,8 @@ def damaged(report):
             del parent_of(without, path)[path[-1]]
             yield path, "left out", without
         wrong = copy.deepcopy(report)
-        parent_of(wrong, path)[path[-1]] = "yes" if path[-1] in ("agree", "estimate") else True
+        flags = ("agree", "estimate", "counters", "duplicate_lines")
+        parent_of(wrong, path)[path[-1]] = "yes" if path[-1] in flags else True
         yield path, "of a wrong type", wrong
     misspelt = copy.deepcopy(report)
     misspelt["diferences"] = []

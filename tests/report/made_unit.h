@@ -74,6 +74,20 @@ inline testbench::RunResult made_unit_run(int width, int height, std::size_t fra
   return run;
 }
 
+/// The same of a unit that is built without the counter `duplicate_lines`, or without any; loose is
+/// an estimate.
+inline testbench::RunResult made_unit_without_counters(int width, int height,
+                                                       bool only_duplicates) {
+  testbench::RunResult run = made_unit_run(width, height, 1);
+  run.unit->config.counters = only_duplicates;
+  run.unit->config.duplicate_lines = false;
+  run.unit->timings[1].estimate = true;
+  for (testbench::UnitTiming& timing : run.unit->timings) {
+    if (!timing.estimate) timing.counters.keep_built(run.unit->config);
+  }
+  return run;
+}
+
 /// A pipeline that is a cycle late at two pixels, on a palettised map of one draw; loose is an
 /// estimate, as it is when a scene is run.
 inline testbench::RunResult made_late_run(int width, int height) {

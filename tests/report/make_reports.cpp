@@ -23,6 +23,8 @@ int main(int argc, char** argv) try {
   write(out / "faulty", ptm::tests::made_faulty_run(160, 120, 2));
   write(out / "unit", ptm::tests::made_unit_run(256, 256, 1));
   write(out / "unit_late", ptm::tests::made_late_run(64, 64));
+  write(out / "unit_no_duplicates", ptm::tests::made_unit_without_counters(64, 64, true));
+  write(out / "unit_no_counters", ptm::tests::made_unit_without_counters(64, 64, false));
   ptm::testbench::RunResult bare = ptm::tests::made_run(1, 1, 1);
   bare.scene_file = "<script>alert('x')</script> & \"quoted\".toml";
   bare.models.resize(1);

@@ -90,6 +90,26 @@ TEST_F(ReportFiles, HoldInJsonWhatWasMeasured) {
   EXPECT_EQ(json["notes"], run.notes);
 }
 
+TEST_F(ReportFiles, LeaveOutOfJsonTheCountersThatTheUnitIsBuiltWithout) {
+  RunResult run = tests::made_unit_without_counters(8, 8, true);
+  const auto unit = [&] {
+    return read_json(write_report(run, compare_run(run), folder_).json)["unit"];
+  };
+  nlohmann::json json = unit();
+  EXPECT_EQ(json["config"]["counters"], true);
+  EXPECT_EQ(json["config"]["duplicate_lines"], false);
+  const nlohmann::json& rtl = json["timings"]["rtl"]["counters"];
+  EXPECT_EQ(rtl.size(), reference::kUnitCounters - 2) << "nor is there a row for effects";
+  EXPECT_FALSE(rtl.contains("duplicate_lines"));
+  EXPECT_EQ(rtl["lines_read"], 3100);
+  run = tests::made_unit_without_counters(8, 8, false);
+  json = unit();
+  EXPECT_EQ(json["config"]["counters"], false);
+  EXPECT_TRUE(json["timings"]["rtl"]["counters"].empty());
+  EXPECT_TRUE(json["timings"]["pipeline"]["counters"].empty());
+  EXPECT_EQ(json["timings"]["loose"]["counters"]["cycles"], 119300) << "an estimate, no counter";
+}
+
 TEST_F(ReportFiles, HoldInJsonEveryCounterOfTheWholeUnit) {
   const RunResult run = tests::made_late_run(8, 8);
   const nlohmann::json json = read_json(write_report(run, compare_run(run), folder_).json)["unit"];

@@ -106,6 +106,27 @@ TEST(UnitPage, SaysNothingOfWhatAnEstimateDoesNotKnow) {
   EXPECT_TRUE(has(page, "<code>taps</code></th><td>917,504</td><td>–</td><td>917,504</td>"));
 }
 
+TEST(UnitPage, HasNoRowOfACounterThatTheUnitIsBuiltWithout) {
+  const std::string whole = page_of(made_unit_run(4, 4, 1));
+  EXPECT_TRUE(has(whole, "Duplicate lines"));
+  EXPECT_TRUE(has(whole, "<code>duplicate_lines</code>"));
+  EXPECT_TRUE(has(whole, "in all 38 counters"));
+  const std::string part = page_of(tests::made_unit_without_counters(4, 4, true));
+  EXPECT_FALSE(has(part, "Duplicate lines"));
+  EXPECT_FALSE(has(part, "<code>duplicate_lines</code>"));
+  EXPECT_TRUE(has(part, "<dt>Counters</dt><dd>all but duplicate_lines</dd>"));
+  EXPECT_TRUE(has(part, "Bank conflicts"));
+  EXPECT_TRUE(has(part, "in all 37 counters"));
+  const std::string none = page_of(tests::made_unit_without_counters(4, 4, false));
+  EXPECT_TRUE(has(none, "<dt>Counters</dt><dd>none</dd>"));
+  EXPECT_TRUE(has(none, "agree in the cycle of each pixel; the unit is built without counters"));
+  for (const char* figure : {"the fill rate of", "Bank conflicts", "<code>taps</code>",
+                             "class=\"cycles\"", "Hit rate of each texture"}) {
+    EXPECT_TRUE(has(whole, figure)) << figure;
+    EXPECT_FALSE(has(none, figure)) << figure;
+  }
+}
+
 TEST(UnitPage, ShowsWhenClassesDoNotAddUpToTheCycles) {
   RunResult run = made_unit_run(4, 4, 1);
   EXPECT_TRUE(has(page_of(run), "sum of the classes</th><td>100 %<small>117,422</small>"));

@@ -48,6 +48,7 @@ std::array<std::uint64_t, kLimitCounters> count_from(std::uint64_t start) {
   const auto in = [&rng](unsigned most) { return static_cast<unsigned>(rng() % (most + 1)); };
   unsigned inside = 0;
   for (int cycle = 0; cycle < 2000; ++cycle) {
+    set(dut.inside_i, inside > 0 ? 1 : 0);
     set(dut.accepted_i, inside < 3 && in(3) == 0 ? 1 : 0);
     set(dut.taken_i, inside > 0 && in(2) == 0 ? 1 : 0);
     inside += dut.accepted_i;

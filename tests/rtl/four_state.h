@@ -82,6 +82,7 @@ class UnitRecording {
     read(0x1002);
     read(0x1003);
     write(0x1000, 3);
+    write(0x1009, 31);  // events interrupt
   }
   void write(std::uint16_t address, std::uint32_t data) {
     unit_.write(address, data);
@@ -112,7 +113,8 @@ class UnitRecording {
     out_ << ' ' << seen.ready << ' ' << seen.request << ' ' << seen.line << ' ' << int{seen.tag}
          << ' ' << seen.pixel_valid << ' ' << p.x << ' ' << p.y << ' '
          << (p.rgb[0] | p.rgb[1] << 8 | p.rgb[2] << 16) << ' ' << int{p.alpha} << ' '
-         << p.lum_saturated << ' ' << p.color_saturated << ' ' << p.memory_failed << '\n';
+         << p.lum_saturated << ' ' << p.color_saturated << ' ' << p.memory_failed << ' '
+         << seen.interrupt << '\n';
     return seen;
   }
 

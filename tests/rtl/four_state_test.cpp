@@ -2,6 +2,8 @@
 // them and both units: four_state_slow_test.cpp.
 #include "tests/rtl/four_state.h"
 
+#include "model/reference/unit/register_map.h"
+
 namespace ptm::tests {
 namespace {
 
@@ -16,6 +18,51 @@ TEST(FourState, TheUnitGivesNoXAndWhatVerilatorGives) {
     }
   }
 }
+
+/// A unit that is built without some counters or all: a recording of one that has them holds, but
+/// for what is read of the counters and of what the unit is built with.
+class FourStateWithout : public testing::TestWithParam<reference::UnitConfig> {};
+
+TEST_P(FourStateWithout, CountersTheUnitGivesThePixelsAndCyclesOfOneThatHasThem) {
+  const testbench::RtlUnitVariant small = testbench::rtl_unit_variants().back();
+  testbench::RtlUnitVariant bare = small;
+  bare.unit.counters = GetParam().counters;
+  bare.unit.duplicate_lines = GetParam().duplicate_lines;
+  const FourStateUnit unit(bare, unit_sources());
+  const SmallWorld world = make_reset_world(small);
+  const auto verilated = small.make();
+  UnitRecording recording(*verilated);
+  recording.load(world.state);
+  (void)recording.frame(world.state, world.fragments, 3);
+  std::istringstream lines(recording.text());
+  std::string trace;
+  unsigned changed = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string command;
+    unsigned address = 0, value = 0;
+    if (words >> command >> std::hex >> address >> value && command == "Q") {
+      const std::size_t counter = (address - 0x2000) / 2;
+      unsigned now = value;
+      if (counter < reference::kUnitCounters && !has_counter(bare.unit, counter)) now = 0;
+      if (address == 0x1012) now = capability_words(bare.config, bare.unit)[0];
+      changed += now != value;
+      std::ostringstream text;
+      text << std::hex << "Q " << address << ' ' << now;
+      line = text.str();
+    }
+    trace += line + '\n';
+  }
+  EXPECT_GE(changed, bare.unit.counters ? 2U : 20U);
+  const ToolRun run = unit.replay(trace);
+  EXPECT_NE(run.output.find("replayed"), std::string::npos) << run.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Units, FourStateWithout,
+    testing::Values(reference::UnitConfig{.duplicate_lines = false},
+                    reference::UnitConfig{.counters = false, .duplicate_lines = false}),
+    [](const auto& tested) { return tested.param.counters ? "DuplicateLines" : "Any"; });
 
 }  // namespace
 }  // namespace ptm::tests

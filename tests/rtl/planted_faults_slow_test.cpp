@@ -55,7 +55,78 @@ std::string reset_recording() {
   unit.write(0, 1);
   wait();
   unit.read(0x1002);
+  unit.write(0x1009, 31);
+  unit.read(0x1008);
+  unit.reset(true);
+  for (const std::uint16_t address : {0x1001, 0x1008, 0x1009}) unit.read(address);
   return unit.text();
+}
+
+/// What RtlUnitPort and RtlUnitRegisters do, as far as it can be replayed: everything read back,
+/// events with and without the interrupt, writes that come while fragments are inside.
+std::string register_recording() {
+  const auto verilated = small_unit().make();
+  UnitRecording unit(*verilated);
+  const SmallWorld world = make_reset_world(small_unit());
+  unit.load(world.state);
+  unit.read_registers();
+  // A draw's error is found while its event is cleared.
+  const auto illegal = [&unit](int clears_after) {
+    unit.write(192, 7);
+    for (int cycle = 1; cycle < 30; ++cycle) {
+      unit.write(cycle == clears_after ? 0x1008 : 0x1000, cycle == clears_after ? 31 : 0);
+      unit.read(0x1008);
+    }
+  };
+  for (const int cycle : {26, 27, 28}) illegal(cycle);
+  unit.load(world.state);
+  (void)unit.frame(world.state, world.fragments, 2);
+  unit.write(0x1008, 31);
+  testbench::RtlUnitPins pins{.valid = true, .fragment = world.fragments.front()};
+  pins.pixel_ready = false;
+  while (!unit.cycle(pins).ready) {
+  }
+  for (const std::uint16_t address : {0x0, 0x1001, 0x1009}) unit.write(address, 0);
+  unit.read_registers();
+  pins.valid = false;
+  for (int cycle = 0; cycle < 4; ++cycle) (void)unit.cycle(pins);
+  return unit.text();
+}
+
+class PlantedRegister : public testing::TestWithParam<Fault> {};
+
+TEST_P(PlantedRegister, IsNoticedByTheTestsOfRegisters) {
+  const Fault& fault = GetParam();
+  static const std::string recording = register_recording();
+  const ChangedRtl changed(fault.file, fault.from, fault.to, unit_sources());
+  const FourStateUnit unit(small_unit(), changed.files(), FourStateUnit::Start::zero);
+  const ToolRun run = unit.replay(recording);
+  EXPECT_EQ(run.output.find("replayed"), std::string::npos) << "nobody noticed";
+  EXPECT_NE(run.output.find("differs"), std::string::npos) << run.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, PlantedRegister,
+    testing::Values(
+        Fault{"ClearBeatsSet", "rtl/ptm_unit_events.sv", "events_q <= kept | causes_i;",
+              "events_q <= we_events_i ? kept : events_q | causes_i;"},
+        Fault{"NothingClears", "rtl/ptm_unit_events.sv", "events_q & ~wdata_i", "events_q"},
+        Fault{"EnableIgnored", "rtl/ptm_unit_events.sv", "(events_q & enable_q) != '0",
+              "events_q != '0"},
+        Fault{"IdleWhileOneEnters", "rtl/ptm_unit_inside.sv",
+              "taken_i && !accepted_i && inside_q == 16'd1", "taken_i && inside_q == 16'd1"},
+        Fault{"WrittenUnderFragments", "rtl/ptm_unit_registers.sv",
+              "assign locked          = busy_i || accepted_i;", "assign locked = 1'b0;"},
+        Fault{"ReadBackOfTheWrongDraw", "rtl/ptm_unit_draw_word.sv",
+              "if (addr_i[7:6] == 2'(d)) begin", "if (addr_i[7:6] == 2'(d ^ 1)) begin"},
+        Fault{"CapabilityMisplaced", "rtl/ptm_unit_capabilities.sv", "7'd0, 9'(MissFifo), 5'd0",
+              "6'd0, 9'(MissFifo), 6'd0"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(PlantedRegisters, AreNoticedBecauseTheRightUnitReplays) {
+  const FourStateUnit unit(small_unit(), unit_sources(), FourStateUnit::Start::zero);
+  const ToolRun run = unit.replay(register_recording());
+  EXPECT_NE(run.output.find("replayed"), std::string::npos) << run.output;
 }
 
 class PlantedReset : public testing::TestWithParam<Fault> {};
@@ -88,10 +159,15 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"Probe", "rtl/ptm_unit_beats.sv", "probe_q  <= '0;", "probe_q <= probe_q;"},
         Fault{"Footprint", "rtl/ptm_unit_beats.sv", "second_q <= 1'b0;", "second_q <= second_q;"},
         Fault{"Group", "rtl/ptm_unit_beats.sv", "group_q  <= '0;", "group_q <= group_q;"},
-        Fault{"Inside", "rtl/ptm_unit_counters.sv", "inside_q  <= '0;", "inside_q <= inside_q;"},
+        Fault{"Inside", "rtl/ptm_unit_inside.sv", "if (!rst_ni) inside_q <= '0;",
+              "if (!rst_ni) inside_q <= inside_q;"},
         Fault{"Draws", "rtl/ptm_unit_registers.sv", "if (!rst_ni) draws_q <= '0;",
               "if (!rst_ni) draws_q <= draws_q;"},
         Fault{"Errors", "rtl/ptm_unit_registers.sv", "errors_q  <= '0;", "errors_q <= errors_q;"},
+        Fault{"Events", "rtl/ptm_unit_events.sv", "events_q <= '0;", "events_q <= events_q;"},
+        Fault{"Enable", "rtl/ptm_unit_events.sv", "enable_q <= '0;", "enable_q <= enable_q;"},
+        Fault{"MemoryLines", "rtl/ptm_unit_registers.sv", "memory_lines_q <= '0;",
+              "memory_lines_q <= memory_lines_q;"},
         Fault{"DrainSkipped", "rtl/ptm_unit_miss_ring.sv", "if (!rst_ni) draining_q <= 1'b1;",
               "if (!rst_ni) draining_q <= 1'b0;"},
         Fault{"DrainTooShort", "rtl/ptm_unit_miss_ring.sv", "else if (owed_q == '0) draining_q",

@@ -222,5 +222,35 @@ TEST(RtlUnitEffectCells, MultiplyInFieldsAndStagesOnly) {
   }
 }
 
+/// Bits of flip-flops outside memories in the front, which holds the counters, as Yosys reads it.
+std::uint64_t flip_flops_of_the_front(const std::string& parameters) {
+  const tests::ToolRun run = tests::run_tool(
+      "yosys -p \"" + read_all({"rtl/files.f", "rtl/unit.f"}) +
+      "; chparam -set CacheKib 1 -set FragmentFifo 4 -set MissFifo 12 " + parameters +
+      " ptm_unit_front; hierarchy -check -top ptm_unit_front; proc; opt_clean; memory_collect; "
+      "stat -width\"");
+  EXPECT_EQ(run.status, 0) << run.output;
+  std::istringstream lines(run.output.substr(run.output.find("=== design hierarchy ===")));
+  std::uint64_t bits = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string cell;
+    std::uint64_t count = 0;
+    if (!(words >> cell >> count)) continue;
+    for (const char* type : {"$dff_", "$adff_", "$dffe_", "$adffe_", "$sdff_"}) {
+      if (cell.rfind(type, 0) == 0) bits += count * std::stoull(cell.substr(cell.rfind('_') + 1));
+    }
+  }
+  return bits;
+}
+
+TEST(RtlUnitFlipFlops, LosesEveryCounterWithoutCounters) {
+  const std::uint64_t with = flip_flops_of_the_front("");
+  const std::uint64_t without = flip_flops_of_the_front("-set Counters 0 -set DuplicateLines 0");
+  // 37 counters, the idle time, and two bits: cycles have begun, the counters are to be cleared
+  EXPECT_EQ(with - without, 37U * 64U + 64U + 2U);
+  EXPECT_GT(without, 1000U);
+}
+
 }  // namespace
 }  // namespace ptm::reference

@@ -198,6 +198,12 @@ const Set kUnit[] = {
     {"ExtraSets=1", "ExtraSets_not_0_to_ExtraPasses"},
     {"ExtraSets=-1", "ExtraSets_not_0_to_ExtraPasses"},
     {"Stages=7 ExtraPasses=1", ""},
+    {"Counters=0 DuplicateLines=0", ""},
+    {"DuplicateLines=0", ""},
+    {"Counters=2", "Counters_not_0_or_1"},
+    {"Counters=-1", "Counters_not_0_or_1"},
+    {"DuplicateLines=2", "DuplicateLines_not_0_or_1"},
+    {"Counters=0", "DuplicateLines_without_Counters"},
     {"Stages=256", "Stages_not_a_mask_of_8_bits"},
     {"Stages=-1", "Stages_not_a_mask_of_8_bits"},
 };

@@ -46,7 +46,7 @@ TEST_P(RtlUnitEffects, AreTheReferencesUnderRandomLatenciesStallsAndGaps) {
     const auto result = unit->run({.fragments = fragments}, *memory, timing);
     ASSERT_FALSE(result.fault) << result.fault->what;
     expect_pixels(scene, fragments, result.pixels);
-    expect_sound(result.counters, fragments.size());
+    expect_sound(result.counters, fragments.size(), GetParam().unit);
     multiplies += result.counters[UnitCounter::multiplies_effects];
     if (HasFailure()) return;
   }

@@ -160,5 +160,29 @@ INSTANTIATE_TEST_SUITE_P(Units, RtlUnitEffectsExact, testing::ValuesIn(effect_ca
                                   std::to_string(tested.param.seed);
                          });
 
+/// A unit without counters against one with them, and nothing else different.
+TEST(RtlUnitWithoutCounters, HasThePixelsAndCyclesOfOneWithThem) {
+  UnitSceneMaker make(5);
+  const UnitScene scene = make.scene(reference::kBase, 4);
+  const auto fragments = random_fragments(make, scene, 300);
+  const auto bare = testbench::make_rtl_unit_bare(), whole = testbench::make_rtl_unit_base3();
+  for (const Condition& condition : kConditions) {
+    SCOPED_TRACE(condition.name);
+    std::vector<UnitFrameResult> results;
+    for (testbench::RtlUnit* unit : {bare.get(), whole.get()}) {
+      unit->load(scene.state);
+      const auto memory = make_memory(condition.memory);
+      results.push_back(unit->run({fragments}, *memory, condition.timing));
+      EXPECT_EQ(unit->read(0x1003), 0U) << "idle, without an error";
+      EXPECT_EQ(unit->read(0x1008), 1U) << "the end of the frame";
+    }
+    EXPECT_EQ(results[0].taken, results[1].taken);
+    EXPECT_EQ(results[0].answered, results[1].answered);
+    EXPECT_EQ(results[0].pixels, results[1].pixels);
+    EXPECT_EQ(results[0].counters, reference::UnitCounters{});
+    EXPECT_GT(results[1].counters[UnitCounter::cycles], 300U);
+  }
+}
+
 }  // namespace
 }  // namespace ptm::tests

@@ -44,6 +44,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Built{"PassesOnly", "-GExtraPasses=2"},
                     Built{"SetsOnly", "-GExtraSets=1 -GExtraPasses=1"},
                     Built{"StagesOnly", "-GStages=6"},
+                    Built{"NoCounters", "-GCounters=0 -GDuplicateLines=0"},
+                    Built{"NoCountersEffectsOneTmu",
+                          "-GCounters=0 -GDuplicateLines=0 -GHalfVector=1 -GExtraSets=4 "
+                          "-GExtraPasses=4 -GStages=7 -GTmus=1"},
+                    Built{"NoDuplicateLines", "-GDuplicateLines=0 -GTmus=2"},
                     Built{"OneSet", "-GCacheKib=1 -GWays=4 -GFragmentFifo=4 -GPaletteLrgbPorts=1"},
                     Built{"Large",
                           "-GCacheKib=64 -GWays=4 -GFragmentFifo=1024 -GMissFifo=256 "
@@ -72,6 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Built{"Effects",
                           "; chparam -set HalfVector 1 -set ExtraSets 4 -set ExtraPasses 4 "
                           "-set Stages 7 -set Tmus 1 -set EvalLanes 3 -set LumFrac 4 ptm_unit"},
+                    Built{"NoCounters", "; chparam -set Counters 0 -set DuplicateLines 0 ptm_unit"},
                     Built{"Specular",
                           "; chparam -set HalfVector 1 -set ExtraPasses 1 -set Stages 5 ptm_unit"}),
     [](const auto& tested) { return std::string(tested.param.name); });

@@ -66,8 +66,14 @@ inline std::vector<reference::UnitFragment> random_fragments(UnitSceneMaker& mak
   return fragments;
 }
 
-/// What must hold of any frame's counters.
-inline void expect_sound(const reference::UnitCounters& c, std::size_t fragments) {
+/// What must hold of any frame's counters in that unit.
+inline void expect_sound(const reference::UnitCounters& c, std::size_t fragments,
+                         const reference::UnitConfig& unit) {
+  for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
+    if (has_counter(unit, n)) continue;
+    EXPECT_EQ(c.value[n], 0U) << reference::unit_counter_names()[n];
+  }
+  if (!unit.counters) return;
   EXPECT_EQ(c[UnitCounter::fragments], fragments);
   EXPECT_EQ(c[UnitCounter::pixels], fragments);
   EXPECT_EQ(c[UnitCounter::cycles_moved] + c[UnitCounter::cycles_output_blocked] +

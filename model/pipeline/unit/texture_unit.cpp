@@ -15,6 +15,7 @@ TextureUnit::TextureUnit(const sc_core::sc_module_name& name, const reference::U
                          const reference::EvalConfig& eval)
     : sc_module(name),
       memory("memory", clock, fault),
+      unit_(unit),
       timing_(timing),
       sink_("sink", timing),
       chain_(unit.stages, sink_),
@@ -116,6 +117,7 @@ void TextureUnit::report_counters(Frame& frame, std::uint64_t accepted, Cycle fi
   c[UnitCounter::duplicate_lines] = tags_.counters().duplicates;
   c[UnitCounter::palette_lookups] = palette_.lookups();
   report_draws(c);
+  c.keep_built(unit_);
 }
 
 void TextureUnit::report_draws(reference::UnitCounters& c) const {

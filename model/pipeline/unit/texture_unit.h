@@ -40,6 +40,7 @@ class TextureUnit final : public sc_core::sc_module {
   void report_draws(reference::UnitCounters& counters) const;
   void report_fault(Frame& frame, Cycle last_accepted, Cycle patience);
 
+  reference::UnitConfig unit_;
   StreamTiming timing_;
   UnitSink sink_;
   EffectChain chain_;

@@ -38,6 +38,7 @@ void validate(const UnitConfig& config) {
   require_range("extra_passes", config.extra_passes, 0, kExtraPasses);
   require_range("extra_sets", config.extra_sets, 0, std::min(config.extra_passes, kExtraSets));
   require_range("half_vector", config.half_vector ? 1 : 0, 0, config.extra_passes > 0 ? 1 : 0);
+  require_range("duplicate_lines", config.duplicate_lines ? 1 : 0, 0, config.counters ? 1 : 0);
   if ((config.stages & ~effects::kStages) != 0) {
     throw std::invalid_argument("stages = " + std::to_string(config.stages) +
                                 ", expected a part of " + std::to_string(effects::kStages) +

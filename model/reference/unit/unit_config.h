@@ -17,6 +17,9 @@ struct UnitConfig {
   int extra_passes = 0;      ///< evaluator passes beyond the map's; extra_sets..4
   bool half_vector = false;  ///< fragments bring (hu, hv); needs extra_passes
   unsigned stages = 0;       ///< mask of effect stages behind the combine stage
+  // What only tells of the unit's work (docs/spec/unit-timing.md, "Counters")
+  bool counters = true;
+  bool duplicate_lines = true;  ///< the counter of that name; needs counters
   bool operator==(const UnitConfig&) const = default;
 
   /// Sets of one tag bank.

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -38,6 +39,17 @@ inline constexpr std::size_t kUnitCounters = 22 + 4 * kDraws;
 /// Names, in order; from texture_first on "hits_d0_map", "misses_d0_map", "hits_d0_color", ...
 [[nodiscard]] const std::array<std::string_view, kUnitCounters>& unit_counter_names();
 
+/// Whether a unit of those parameters has that counter, n < kUnitCounters. One that it has not
+/// reads as 0 in every model. (multiplies_effects is 0 in a unit without stages and is had all the
+/// same.)
+[[nodiscard]] constexpr bool has_counter(const UnitConfig& unit, std::size_t n) {
+  return unit.counters &&
+         (unit.duplicate_lines || n != static_cast<std::size_t>(UnitCounter::duplicate_lines));
+}
+[[nodiscard]] constexpr bool has_counter(const UnitConfig& unit, UnitCounter n) {
+  return has_counter(unit, static_cast<std::size_t>(n));
+}
+
 struct UnitCounters {
   std::array<std::uint64_t, kUnitCounters> value{};
   [[nodiscard]] std::uint64_t& operator[](UnitCounter c) {
@@ -52,6 +64,13 @@ struct UnitCounters {
     return value[at(draw, texture) + 1];
   }
   bool operator==(const UnitCounters&) const = default;
+
+  /// Sets those to 0 that the unit has not.
+  void keep_built(const UnitConfig& unit) {
+    for (std::size_t n = 0; n < value.size(); ++n) {
+      if (!has_counter(unit, n)) value[n] = 0;
+    }
+  }
 
  private:
   static std::size_t at(int draw, int texture) {
