@@ -40,7 +40,8 @@ void read_dram(const TableReader& table, MemorySpec& memory) {
 
 HardwareSpec read_hardware_spec(const TableReader& table) {
   table.only({"preset", "tmus", "cache_kib", "ways", "fragment_fifo", "miss_fifo", "shift_groups",
-              "palette_lrgb_ports", "palette_rgb_ports", "eval_lanes"});
+              "palette_lrgb_ports", "palette_rgb_ports", "eval_lanes", "counters",
+              "duplicate_lines"});
   HardwareSpec hardware;
   hardware.place = table.place("");
   table.read("preset", hardware.preset);
@@ -56,6 +57,12 @@ HardwareSpec read_hardware_spec(const TableReader& table) {
   read_one_of(table, "palette_lrgb_ports", hardware.palette_lrgb_ports, {1, 2, 4});
   read_one_of(table, "palette_rgb_ports", hardware.palette_rgb_ports, {1, 2, 4});
   read_one_of(table, "eval_lanes", hardware.eval_lanes, {1, 3});
+  table.read("counters", hardware.counters);
+  hardware.duplicate_lines = hardware.counters;
+  table.read("duplicate_lines", hardware.duplicate_lines);
+  if (hardware.duplicate_lines && !hardware.counters) {
+    table.fail("duplicate_lines", "true", "false in a unit without counters");
+  }
   return hardware;
 }
 

@@ -142,6 +142,7 @@ struct HardwareSpec {
   std::optional<int> shift_groups;  ///< 3 or 6; the preset's if absent
   int palette_lrgb_ports = 4, palette_rgb_ports = 1;
   int eval_lanes = 1;
+  bool counters = true, duplicate_lines = true;  ///< the latter needs the former
 };
 
 enum class MemoryKind : std::uint8_t { fixed, dram, random };

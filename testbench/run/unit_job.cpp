@@ -24,6 +24,8 @@ reference::UnitConfig unit_config(const UnitScene& scene) {
   unit.palette_lrgb_ports = hardware.palette_lrgb_ports;
   unit.palette_rgb_ports = hardware.palette_rgb_ports;
   unit.eval_lanes = hardware.eval_lanes;
+  unit.counters = hardware.counters;
+  unit.duplicate_lines = hardware.duplicate_lines;
   try {
     validate(unit);
   } catch (const std::invalid_argument& error) {

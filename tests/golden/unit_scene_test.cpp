@@ -83,6 +83,8 @@ miss_fifo = 9
 shift_groups = 3
 palette_lrgb_ports = 1
 palette_rgb_ports = 2
+counters = true
+duplicate_lines = false
 [memory]
 kind = "dram"
 banks = 4
@@ -106,6 +108,8 @@ seed = 11
   EXPECT_TRUE(scene.keep_cache && scene.draw_twice);
   EXPECT_EQ(scene.models, std::vector<std::string>{"golden"});
   const HardwareSpec& h = scene.hardware;
+  EXPECT_TRUE(h.counters);
+  EXPECT_FALSE(h.duplicate_lines);
   EXPECT_EQ(h.preset, "wide");
   EXPECT_EQ(std::tie(h.tmus, h.cache_kib, h.ways, h.fragment_fifo, h.miss_fifo),
             std::make_tuple(2, 4, 1, 32, 9));
@@ -239,6 +243,10 @@ TEST_F(UnitSceneFile, RefusesWhatMeansNothingWithItsLine) {
        "line 10 (image.background[2])|256|a number from 0 to 255"},
       {kMap + kPlane + kLight + "[hardware]\ncache_kib = 12\n",
        "line 10 (hardware.cache_kib)|12|one of 1, 2, 4, 8, 16, 32, 64"},
+      {kMap + kPlane + kLight + "[hardware]\ncounters = false\nduplicate_lines = true\n",
+       "line 11 (hardware.duplicate_lines)|true|false in a unit without counters"},
+      {kMap + kPlane + kLight + "[hardware]\ncounters = 0\n",
+       "line 10 (hardware.counters)|an integer|true or false"},
       {kMap + kPlane + kLight + "[hardware]\nmiss_fifo = 11\n",
        "line 10 (hardware.miss_fifo)|11|an integer from 12 to 256"},
       {kMap + kPlane + kLight + "[memory]\nkind = \"random\"\nlatency = 3\n",
