@@ -12,11 +12,10 @@ module ptm_unit_front #(
   parameter int Ways         = 2,    // 1, 2, 4
   parameter int FragmentFifo = 192,  // beats; 4..1024
   parameter int MissFifo     = 64,   // lines; 4 * Tmus..256
-  parameter int DuplicateLines = 1,  // 0: the counter of that name is 0
   parameter int ExtraSets    = 0,    // 0..4
   parameter int Stages       = 0,    // mask
-  parameter int Counters       = 1,  // 0, 1
-  parameter int DuplicateLines = 1,  // 0, 1
+  parameter int Counters     = 1,    // 0, 1
+  parameter int DuplicateLines = 1,  // 0: the counter of that name is 0
   localparam int LineBits    = ptm_unit_pkg::LineBits,
   localparam int LineWidth   = ptm_unit_front_pkg::LineWidth
 ) (
