@@ -7,6 +7,7 @@
 //
 // Nothing is reset: what was never written reads as X. Addresses are below Depth.
 // ptm_register_file is for small ones, which are read in the same cycle.
+(* memory_macro *)
 module ptm_ram #(
   parameter int Depth = 256,  // 1 or more
   parameter int Width = 32,

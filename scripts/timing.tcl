@@ -2,7 +2,7 @@
 # wire loads. A period is a path's arrival and the setup time of the register at its end.
 read_liberty @LIBERTY@
 read_verilog @NETLIST@
-link_design ptm_evaluator
+link_design @TOP@
 set period 100.0
 source @SDC@
 set registers [all_registers -clock_pins]
