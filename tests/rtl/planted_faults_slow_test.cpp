@@ -58,7 +58,9 @@ std::string reset_recording() {
   unit.write(0x1009, 31);
   unit.read(0x1008);
   unit.reset(true);
-  for (const std::uint16_t address : {0x1001, 0x1008, 0x1009}) unit.read(address);
+  for (const int address : {0x1001, 0x1008, 0x1009}) {
+    unit.read(static_cast<std::uint16_t>(address));
+  }
   return unit.text();
 }
 
@@ -86,7 +88,9 @@ std::string register_recording() {
   pins.pixel_ready = false;
   while (!unit.cycle(pins).ready) {
   }
-  for (const std::uint16_t address : {0x0, 0x1001, 0x1009}) unit.write(address, 0);
+  for (const int address : {0x0, 0x1001, 0x1009}) {
+    unit.write(static_cast<std::uint16_t>(address), 0);
+  }
   unit.read_registers();
   pins.valid = false;
   for (int cycle = 0; cycle < 4; ++cycle) (void)unit.cycle(pins);
