@@ -1,19 +1,12 @@
 // Tests of the tests: faults planted in a copy of the RTL, one at a time, and the test that notices
 // each. What a test of the whole unit drives is recorded from the right unit and replayed on the
 // wrong one (four_state.h), whose registers are 0 at first, so that no X gives it away.
-#include "tests/formal/changed_rtl.h"
+#include "tests/rtl/fault.h"
 #include "tests/rtl/four_state.h"
 #include "tests/rtl/pin_frame.h"
 
 namespace ptm::tests {
 namespace {
-
-struct Fault {
-  const char* name;
-  const char* file;
-  const char* from;
-  const char* to;
-};
 
 testbench::RtlUnitVariant small_unit() { return testbench::rtl_unit_variants().back(); }
 
@@ -138,7 +131,7 @@ class PlantedReset : public testing::TestWithParam<Fault> {};
 TEST_P(PlantedReset, IsNoticedByTheTestsOfResets) {
   const Fault& fault = GetParam();
   static const std::string recording = reset_recording();
-  const ChangedRtl changed(fault.file, fault.from, fault.to, unit_sources());
+  const ChangedRtl changed = fault.planted_in(unit_sources());
   const FourStateUnit unit(small_unit(), changed.files(), FourStateUnit::Start::zero);
   const ToolRun run = unit.replay(recording);
   EXPECT_EQ(run.output.find("replayed"), std::string::npos) << "nobody noticed";
@@ -193,7 +186,7 @@ class PlantedX : public testing::TestWithParam<Fault> {};
 
 TEST_P(PlantedX, IsNoticedByTheFourStateScenes) {
   const Fault& fault = GetParam();
-  const ChangedRtl changed(fault.file, fault.from, fault.to, unit_sources());
+  const ChangedRtl changed = fault.planted_in(unit_sources());
   const FourStateUnit unit(small_unit(), changed.files());
   bool noticed = false;
   for (const SmallScene& scene : small_scenes()) {
@@ -217,39 +210,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"EntryThatWasNeverLookedUp", "rtl/ptm_tap_hold.sv",
                           "if (!rst_ni) hold_q <= '0;", "if (!rst_ni) hold_q <= hold_q;"}),
     [](const auto& tested) { return std::string(tested.param.name); });
-
-/// Where the width of a counter is cut, counter_limits.h compiled against it says so.
-TEST(PlantedCarry, IsNoticedByTheTestOfCounterLimits) {
-  const ScratchFolder folder;
-  const auto run = [&folder](const std::vector<std::string>& sources, const char* name) {
-    const std::filesystem::path main = folder.write("main.cpp", R"(
-#include "Vcounters.h"
-#include "Vcounters___024root.h"
-#include "tests/rtl/counter_limits.h"
-#include <cstdio>
-int main() { std::puts(ptm::tests::check_counter_limits<Vcounters>().c_str()); }
-)");
-    std::string command =
-        "verilator --cc --exe --build -O3 -fno-const-bit-op-tree -Wno-fatal -Irtl "
-        "--prefix Vcounters -GStages=1 --top-module ptm_unit_counters "
-        "-CFLAGS '-std=c++20 -I" +
-        std::string(PTM_SOURCE_DIR) + "' --Mdir " + (folder / name).string();
-    for (const std::string& source : sources) command += ' ' + source;
-    const ToolRun build = run_tool(command + ' ' + main.string());
-    EXPECT_EQ(build.status, 0) << build.output;
-    return run_tool((folder / name / "Vcounters").string()).output;
-  };
-  const std::vector<std::string> files{"rtl/ptm_unit_pkg.sv", "rtl/ptm_unit_counters.sv"};
-  EXPECT_EQ(run(files, "right"), "\n");
-  const std::string sum = "count_q[n] + 64'(increment) + (n == 2 || n == 7 ? idle_q : 64'd0)";
-  const ChangedRtl shared("rtl/ptm_unit_counters.sv", "count_q[n] <= " + sum + ';',
-                          "count_q[n][31:0] <= 32'(" + sum + ");", files);
-  EXPECT_NE(run(shared.files(), "shared").find("counter 0 from 4294967276"), std::string::npos);
-  const std::string misses = "draw_count_q[4*d+3] + 64'(misses_color)";
-  const ChangedRtl draws("rtl/ptm_unit_counters.sv", "draw_count_q[4*d+3] <= " + misses + ';',
-                         "draw_count_q[4*d+3][31:0] <= 32'(" + misses + ");", files);
-  EXPECT_NE(run(draws.files(), "draws").find("counter 24 from 4294967276"), std::string::npos);
-}
 
 }  // namespace
 }  // namespace ptm::tests
