@@ -101,7 +101,8 @@ module ptm_unit_miss_ring #(
     if (push) begin
       for (int b = 0; b < 4; b++) begin
         for (int t = 0; t < Tmus; t++) begin
-          if (miss_valid_i[t] && 2'(tail_q) + lines_before(miss_valid_i, t) == 2'(b)) begin
+          if (miss_valid_i[t] &&
+              2'(tail_q[1:0] + lines_before(miss_valid_i, t)) == 2'(b)) begin
             address_write[b]                   = 1'b1;
             address_row[b*RowBits +: RowBits]  =
                 row_of(behind(tail_q, lines_before(miss_valid_i, t)));
