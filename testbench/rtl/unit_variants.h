@@ -20,6 +20,8 @@ namespace ptm::testbench {
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small_effects();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_bare();
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small();
+/// A library of its own, ptm_rtl_unit_large, which only its test links.
+[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_large();
 
 #ifdef PTM_VARIANT_LIBRARY
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_cached();

@@ -91,6 +91,7 @@ class UnitRecording {
   void read(std::uint16_t address) {
     out_ << "Q " << address << ' ' << unit_.read(address) << '\n';
   }
+  [[nodiscard]] testbench::RtlUnitSeen seen() const { return unit_.seen(); }
   testbench::RtlUnitSeen cycle(const testbench::RtlUnitPins& pins) {
     if (pins.write) throw std::logic_error("a cycle with a write cannot be replayed");
     const testbench::RtlUnitSeen seen = unit_.cycle(pins);

@@ -1,21 +1,9 @@
 // The RTL unit against the pipeline model's timing `exact`: every pixel's cycle, every response's,
 // every counter. SystemC elaborates once a process, and so runs each model.
-#include "model/pipeline/simulate_texture_unit.h"
-#include "tests/rtl/unit_runs.h"
+#include "tests/rtl/exact_frames.h"
 
 namespace ptm::tests {
 namespace {
-
-using pipeline::MemoryModel;
-using pipeline::StreamTiming;
-using pipeline::UnitFrame;
-using pipeline::UnitFrameResult;
-
-struct Condition {
-  const char* name;
-  MemoryModel memory;
-  StreamTiming timing;
-};
 
 const std::array<Condition, 5> kConditions{
     {{"FixedMemory", pipeline::FixedMemory{}, {}},
@@ -39,44 +27,6 @@ std::vector<Case> cases() {
     for (const Condition& condition : kConditions) all.push_back({variant, condition});
   }
   return all;
-}
-
-void expect_same(const UnitFrameResult& rtl, const UnitFrameResult& model) {
-  ASSERT_FALSE(rtl.fault) << rtl.fault->what;
-  ASSERT_FALSE(model.fault) << model.fault->what;
-  ASSERT_EQ(rtl.taken.size(), model.taken.size());
-  for (std::size_t n = 0; n < rtl.taken.size(); ++n) {
-    ASSERT_EQ(rtl.taken[n], model.taken[n]) << "pixel " << n;
-  }
-  EXPECT_EQ(rtl.answered, model.answered);
-  const auto& names = reference::unit_counter_names();
-  for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
-    EXPECT_EQ(rtl.counters.value[n], model.counters.value[n]) << names[n];
-  }
-}
-
-/// A frame and the same one with what stands in the caches, in both models.
-void expect_same_frames(const testbench::RtlUnitVariant& variant, const Condition& condition,
-                        const UnitScene& scene,
-                        const std::vector<reference::UnitFragment>& fragments) {
-  const auto unit = variant.make();
-  unit->load(scene.state);
-  const auto memory = make_memory(condition.memory);
-  const std::array<UnitFrame, 2> frames{{{fragments}, {fragments, true}}};
-  pipeline::UnitSimulation simulation;
-  simulation.unit = variant.unit;
-  simulation.eval = variant.config;
-  simulation.state = &scene.state;
-  simulation.timing = condition.timing;
-  simulation.memory = condition.memory;
-  simulation.frames = {frames.size(), [&](std::size_t n) { return frames[n]; },
-                       [&](std::size_t n, UnitFrameResult&& model) {
-                         SCOPED_TRACE("frame " + std::to_string(n));
-                         const auto rtl = unit->run(frames[n], *memory, condition.timing);
-                         expect_same(rtl, model);
-                         expect_pixels(scene, fragments, rtl.pixels);
-                       }};
-  simulate_texture_unit(simulation);
 }
 
 class RtlUnitExact : public testing::TestWithParam<Case> {};
