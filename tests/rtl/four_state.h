@@ -184,13 +184,13 @@ class UnitRecording {
   std::ostringstream out_;
 };
 
-/// Records that scene of the Verilated unit, whose pixels must be the reference's, and replays it.
-inline void expect_replayed(const testbench::RtlUnitVariant& variant, const FourStateUnit& unit,
-                            const SmallScene& scene, std::size_t fragments) {
-  SCOPED_TRACE(scene.name);
+/// The recording of that scene by the Verilated unit of that variant, whose pixels must be the
+/// reference's.
+inline std::string recording_of(const testbench::RtlUnitVariant& variant,
+                                testbench::RtlUnit& verilated, const SmallScene& scene,
+                                std::size_t fragments) {
   const SmallWorld world = make_small_world(scene, variant, fragments);
-  const auto verilated = variant.make();
-  UnitRecording recording(*verilated);
+  UnitRecording recording(verilated);
   recording.load(world.state);
   const auto pixels = recording.frame(world.state, world.fragments, 1);
   UnitScene whole;
@@ -198,7 +198,15 @@ inline void expect_replayed(const testbench::RtlUnitVariant& variant, const Four
   whole.unit = variant.unit;
   whole.state = world.state;
   expect_pixels(whole, world.fragments, pixels);
-  const ToolRun run = unit.replay(recording.text());
+  return recording.text();
+}
+
+/// Records that scene and replays it.
+inline void expect_replayed(const testbench::RtlUnitVariant& variant, const FourStateUnit& unit,
+                            const SmallScene& scene, std::size_t fragments) {
+  SCOPED_TRACE(scene.name);
+  const auto verilated = variant.make();
+  const ToolRun run = unit.replay(recording_of(variant, *verilated, scene, fragments));
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.output.find("replayed"), std::string::npos) << run.output;
 }

@@ -38,16 +38,8 @@ TEST(Netlist, OfTheSmallestUnitIsTheVerilatedUnitInEveryCycleInTwoSimulators) {
   const auto verilated = testbench::make_rtl_unit(reference::kBase, smallest);
   std::string recordings;
   for (const SmallScene& scene : small_scenes()) {
-    const SmallWorld world = make_small_world(scene, variant, 6);
-    UnitRecording recording(*verilated);
-    recording.load(world.state);
-    const auto pixels = recording.frame(world.state, world.fragments, 1);
-    UnitScene whole;
-    whole.config = variant.config;
-    whole.unit = variant.unit;
-    whole.state = world.state;
-    expect_pixels(whole, world.fragments, pixels);
-    recordings += recording.text();
+    SCOPED_TRACE(scene.name);
+    recordings += recording_of(variant, *verilated, scene, 6);
   }
   const ScratchFolder folder;
   const std::string trace = folder.write("recording", recordings).string();
