@@ -38,7 +38,12 @@ TEST(Netlist, OfTheSmallestUnitIsTheVerilatedUnitInEveryCycleInTwoSimulators) {
   const auto verilated = testbench::make_rtl_unit(reference::kBase, smallest);
   std::string recordings;
   for (const SmallScene& scene : small_scenes()) {
-    SCOPED_TRACE(scene.name);
+    const std::string name = scene.name;  // those whose registers are written in some 2,000 cycles
+    if (name != "LrgbBilinear" && name != "PaletteLrgbDecal" && name != "ColorOnly" &&
+        name != "RgbTrilinearAdd") {
+      continue;
+    }
+    SCOPED_TRACE(name);
     recordings += recording_of(variant, *verilated, scene, 6);
   }
   const ScratchFolder folder;
