@@ -72,11 +72,15 @@ inline std::vector<reference::UnitFragment> sweep(int draw) {
   return fragments;
 }
 
-/// Leaps over the large textures and all draws, and walks that hit.
+/// First as many lines after each other as the ring may hold; then leaps over the large textures
+/// and all draws, and walks that hit.
 inline std::vector<reference::UnitFragment> large_fragments(UnitSceneMaker& make,
                                                             const UnitScene& scene,
                                                             std::size_t count) {
-  std::vector<reference::UnitFragment> fragments = random_fragments(make, scene, count / 2);
+  std::vector<reference::UnitFragment> fragments = sweep(0);
+  fragments.resize(256);
+  const auto walks = random_fragments(make, scene, count / 2);
+  fragments.insert(fragments.end(), walks.begin(), walks.end());
   while (fragments.size() < count) {
     fragments.push_back(in_tile(make.in(0, 31), make.in(0, 31), make.in(0, 2)));
     for (int n = make.in(0, 9); n > 0 && fragments.size() < count; --n) {
