@@ -118,7 +118,7 @@ TEST(RtlUnitWithoutCounters, HasThePixelsAndCyclesOfOneWithThem) {
   const auto bare = testbench::make_rtl_unit_bare(), whole = testbench::make_rtl_unit_base3();
   for (const Condition& condition : kConditions) {
     SCOPED_TRACE(condition.name);
-    std::vector<UnitFrameResult> results;
+    std::vector<pipeline::UnitFrameResult> results;
     for (testbench::RtlUnit* unit : {bare.get(), whole.get()}) {
       unit->load(scene.state);
       const auto memory = make_memory(condition.memory);
