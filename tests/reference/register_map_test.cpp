@@ -162,10 +162,14 @@ TEST(StoredBits, AreThoseThatTheWritesOfDrawsUse) {
     for (const RegisterWrite& w : register_writes(d, n % 4)) seen[w.address] |= w.data;
   }
   for (unsigned address = 0; address < registers::kTables; ++address) {
-    if (address == registers::kMemoryLines || address == registers::kEnable) continue;
+    if (address == registers::kMemoryLines || address == registers::kMemoryBase ||
+        address == registers::kEnable) {
+      continue;
+    }
     EXPECT_EQ(stored_bits(static_cast<std::uint16_t>(address), all), seen[address]) << address;
   }
   EXPECT_EQ(stored_bits(registers::kMemoryLines, all), 0x7ffffffU);
+  EXPECT_EQ(stored_bits(registers::kMemoryBase, all), 0x3ffffffU);
 }
 
 TEST(StoredBits, AreNoneOfWhatIsNotBuiltIn) {

@@ -53,7 +53,8 @@ TEST_P(FourStateWithout, CountersTheUnitGivesThePixelsAndCyclesOfOneThatHasThem)
     }
     trace += line + '\n';
   }
-  EXPECT_GE(changed, bare.unit.counters ? 2U : 20U);
+  // What is built in always; duplicate_lines is 0 where no two TMUs fetch the same texture.
+  EXPECT_GE(changed, bare.unit.counters ? 1U : 20U);
   const ToolRun run = unit.replay(trace);
   EXPECT_NE(run.output.find("replayed"), std::string::npos) << run.output;
 }

@@ -18,8 +18,8 @@ class RtlFilesScript : public testing::Test {
 TEST_F(RtlFilesScript, IsReadByVerilatorForBothTops) {
   for (const std::string top : {"evaluator", "unit"}) {
     const ToolRun lint =
-        run("$files " + top + " --f >list && verilator --lint-only -f list --top-module ptm_" + top +
-            " $(dirname $files)/../rtl/lint.vlt");
+        run("$files " + top + " --f >list && verilator --lint-only -Wall " +
+            "$(dirname $files)/../rtl/lint.vlt -f list --top-module ptm_" + top);
     EXPECT_EQ(lint.status, 0) << lint.output;
   }
 }

@@ -324,10 +324,12 @@ TEST_F(RtlUnitRegisters, WhileFragmentsAreInsideOnlyWhatTheyDoNotReadIsWritten) 
     unsigned first, last;
     bool shared;
   };
-  const std::array<Range, 14> ranges{{{0x0, 0xff, true},
+  const std::array<Range, 16> ranges{{{0x0, 0xff, true},
                                       {0x100, 0xfff, false},
                                       {0x1001, 0x1001, true},
-                                      {0x1002, 0x1008, false},
+                                      {0x1002, 0x1003, false},
+                                      {0x1004, 0x1004, true},
+                                      {0x1005, 0x1008, false},
                                       {0x1009, 0x1009, false},
                                       {0x100a, 0x27ff, false},
                                       {0x2800, 0x287f, true},
