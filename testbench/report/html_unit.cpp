@@ -146,8 +146,7 @@ void add_unit(std::string& page, const RunResult& result) {
     add_build(page, unit);
     page +=
         "<p class=\"soft\">The unit is built without counters: its cycles, look-ups and traffic "
-        "are "
-        "not counted.</p>\n";
+        "are not counted.</p>\n";
   } else if (lead) {
     add_tiles(page, unit, *lead);
     add_build(page, unit);
