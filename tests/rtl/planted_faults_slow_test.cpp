@@ -1,6 +1,8 @@
 // Tests of the tests: faults planted in a copy of the RTL, one at a time, and the test that notices
 // each. What a test of the whole unit drives is recorded from the right unit and replayed on the
 // wrong one (four_state.h), whose registers are 0 at first, so that no X gives it away.
+#include <deque>
+
 #include "tests/rtl/fault.h"
 #include "tests/rtl/four_state.h"
 #include "tests/rtl/pin_frame.h"
@@ -77,10 +79,30 @@ std::string register_recording() {
   unit.load(world.state);
   (void)unit.frame(world.state, world.fragments, 2);
   unit.write(0x1008, 31);
-  testbench::RtlUnitPins pins{.valid = true, .fragment = world.fragments.front()};
+  // The last pixel inside is taken in the cycle in which another fragment is accepted: no end of a
+  // frame.
+  testbench::RtlUnitPins pins{.valid = true, .fragment = world.fragments.back()};
   pins.pixel_ready = false;
-  while (!unit.cycle(pins).ready) {
+  std::deque<testbench::RtlUnitSeen> asked;
+  testbench::RtlUnitSeen seen;
+  for (int cycle = 0; cycle < 500 && !seen.pixel_valid; ++cycle) {
+    pins.response = !asked.empty();
+    if (pins.response) {
+      pins.tag = asked.front().tag;
+      pins.line = world.state.memory.at(asked.front().line - world.state.base);
+      asked.pop_front();
+    }
+    seen = unit.cycle(pins);
+    if (seen.ready) pins.valid = false;
+    if (seen.request) asked.push_back(seen);
   }
+  pins.response = false;
+  pins.valid = true;
+  pins.pixel_ready = true;
+  seen = unit.cycle(pins);
+  EXPECT_TRUE(seen.ready && seen.pixel_valid);
+  unit.read(0x1008);
+  pins.pixel_ready = false;
   for (const int address : {0x0, 0x1001, 0x1009}) {
     unit.write(static_cast<std::uint16_t>(address), 0);
   }
