@@ -83,7 +83,8 @@ module ptm_unit_front #(
     .Tmus(Tmus), .ExtraSets(ExtraSets)
   ) u_address (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .sets_i(sets_i), .valid_i(valid_i),
-    .ready_o(ready_o), .fragment_i(fragment_i), .valid_o(a_valid), .ready_i(a_ready), .beat_o(a_beat),
+    .ready_o(ready_o), .fragment_i(fragment_i), .valid_o(a_valid), .ready_i(a_ready),
+    .beat_o(a_beat),
     .map_texels_o(a_map_texels), .map_row_lines_o(a_map_row_lines),
     .map_column_lines_o(a_map_column_lines), .color_texels_o(a_color_texels),
     .color_row_lines_o(a_color_row_lines), .color_column_lines_o(a_color_column_lines),
@@ -158,7 +159,8 @@ module ptm_unit_front #(
     .Tmus(Tmus), .MissFifo(MissFifo)
   ) u_miss_ring (
     .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining_o),
-    .miss_valid_i(miss_valid), .miss_line_i(miss_line), .miss_push_i(miss_push), .miss_fits_o(miss_fits), .req_valid_o(mem_req_valid_o),
+    .miss_valid_i(miss_valid), .miss_line_i(miss_line), .miss_push_i(miss_push),
+    .miss_fits_o(miss_fits), .req_valid_o(mem_req_valid_o),
     .req_ready_i(mem_req_ready_i), .req_line_o(req_line), .req_tag_o(mem_req_tag_o),
     .rsp_valid_i(mem_rsp_valid_i), .rsp_tag_i(mem_rsp_tag_i), .rsp_line_i(mem_rsp_line_i),
     .rsp_failed_i(mem_rsp_error_i), .rsp_error_o(mem_error_o), .line_failed_o(mem_failed_o),
@@ -171,7 +173,8 @@ module ptm_unit_front #(
     .Tmus(Tmus), .Rows(Rows)
   ) u_fetch (
     .clk_i(clk_i), .rst_ni(rst_ni), .commit_i(commit), .rank_i(rank), .row_i(rank_row),
-    .line_i(rank_line), .failed_i(rank_failed), .valid_i(k_valid), .ready_o(f_ready), .beat_i(k_beat),
+    .line_i(rank_line), .failed_i(rank_failed), .valid_i(k_valid), .ready_o(f_ready),
+    .beat_i(k_beat),
     .taken_i(k_taken), .reads_i(k_reads), .valid_o(d_valid_o), .ready_i(d_ready_i),
     .beat_o(d_beat_o), .taps_o(d_taps_o), .failed_o(d_error_o)
   );

@@ -67,7 +67,8 @@ module ptm_unit_registers #(
       we_enable     = reg_addr_i == 16'h1009;
       clear_o       = we_command && reg_wdata_i[1];
       shared        = reg_addr_i[15:8] == 8'h00 || (we_command && reg_wdata_i[0]) ||
-                      reg_addr_i == 16'h1001 || reg_addr_i == 16'h1004 || reg_addr_i[15:7] == 9'h050 ||
+                      reg_addr_i == 16'h1001 || reg_addr_i == 16'h1004 ||
+                      reg_addr_i[15:7] == 9'h050 ||
                       reg_addr_i[15:10] == 6'h0c || reg_addr_i[15:11] == 5'b01000 ||
                       reg_addr_i[15];
       refused       = shared && locked;

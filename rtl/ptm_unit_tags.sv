@@ -216,7 +216,8 @@ module ptm_unit_tags #(
         .Sets(Sets), .Ways(Ways), .Tmus(Tmus), .Tmu(t), .DuplicateLines(DuplicateLines)
       ) u_bank (
         .clk_i(clk_i), .rst_ni(rst_ni), .invalidate_i(invalidate_i), .read_i(read),
-        .read_set_i(set), .look_up_i(look_up_q[At]), .set_i(set_q), .line_i(line_q), .hit_o(hits_o[At]),
+        .read_set_i(set), .look_up_i(look_up_q[At]), .set_i(set_q), .line_i(line_q),
+        .hit_o(hits_o[At]),
         .place_o(place[b*PlaceBits +: PlaceBits]), .any_miss_i(any_miss),
         .miss_i(miss[b*Tmus +: Tmus]), .miss_set_i(miss_set[b*Tmus*SetBits +: Tmus*SetBits]),
         .missed_line_i(missed_line[b*Tmus*LineBits +: Tmus*LineBits]),

@@ -21,7 +21,7 @@ module ptm_unit_tmu_fetch #(
   input  ptm_unit_front_pkg::sources_t sources_i,  // that texture's: ptm_unit_taps
   input  logic                         d_load_i,
   output ptm_unit_pkg::taps_t          taps_o,
-  output logic                         failed_o   // a fetched tap is of a line that could not be read
+  output logic                         failed_o   // a fetched tap's line could not be read
 );
   localparam int PlaceBits = $clog2(Rows);
   localparam int LineBits  = PlaceBits - 2;  // of a line's place within its tag bank

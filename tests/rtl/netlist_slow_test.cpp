@@ -1,5 +1,6 @@
-// What scripts/synthesize makes of the RTL, simulated in two simulators: the evaluator of each preset
-// against vectors of the reference, and the smallest unit against the Verilated one, cycle by cycle.
+// What scripts/synthesize makes of the RTL, simulated in two simulators: the evaluator of each
+// preset against vectors of the reference, and the smallest unit against the Verilated one, cycle
+// by cycle.
 #include "tests/rtl/four_state.h"
 
 namespace ptm::tests {

@@ -10,7 +10,8 @@
 namespace ptm::tests {
 
 /// Answers to requests from before a reset, in the order in which they were asked for: the first
-/// comes in cycle `first`, the others `step` cycles after each other, with lines of ones that could not be read.
+/// comes in cycle `first`, the others `step` cycles after each other, with lines of ones that could
+/// not be read.
 struct LateAnswers {
   std::vector<std::uint8_t> tags;
   pipeline::Cycle first = 0, step = 1;

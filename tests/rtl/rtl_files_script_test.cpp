@@ -17,21 +17,20 @@ class RtlFilesScript : public testing::Test {
 
 TEST_F(RtlFilesScript, IsReadByVerilatorForBothTops) {
   for (const std::string top : {"evaluator", "unit"}) {
-    const ToolRun lint =
-        run("$files " + top + " --f >list && verilator --lint-only -Wall " +
-            "$(dirname $files)/../rtl/lint.vlt -f list --top-module ptm_" + top);
+    const ToolRun lint = run("$files " + top + " --f >list && verilator --lint-only -Wall " +
+                             "$(dirname $files)/../rtl/lint.vlt -f list --top-module ptm_" + top);
     EXPECT_EQ(lint.status, 0) << lint.output;
   }
 }
 
 TEST_F(RtlFilesScript, IsReadByYosysAndIcarus) {
-  const ToolRun yosys = run(
-      "$files evaluator --yosys >list && yosys -q -s list -p 'hierarchy -check -top "
-      "ptm_evaluator'");
+  const ToolRun yosys =
+      run("$files evaluator --yosys >list && yosys -q -s list -p 'hierarchy -check -top "
+          "ptm_evaluator'");
   EXPECT_EQ(yosys.status, 0) << yosys.output;
-  const ToolRun icarus = run(
-      "iverilog -g2012 -I$(dirname $files)/../rtl -o /dev/null -s ptm_evaluator $($files "
-      "evaluator)");
+  const ToolRun icarus =
+      run("iverilog -g2012 -I$(dirname $files)/../rtl -o /dev/null -s ptm_evaluator $($files "
+          "evaluator)");
   EXPECT_EQ(icarus.status, 0) << icarus.output;
 }
 

@@ -249,8 +249,8 @@ TEST(RtlUnitFlipFlops, LosesEveryCounterWithoutCounters) {
   const std::uint64_t without = flip_flops_of_the_front("-set Counters 0 -set DuplicateLines 0");
   // 37 counters, the idle time, and two bits: cycles have begun, the counters are to be cleared
   constexpr std::uint64_t kCounters = 37 * 64 + 64 + 2;
-  // For duplicate_lines two copies of each of the 12 tag banks, each with two ways' line addresses as
-  // they were read and whether they are valid; and a missed line for each bank
+  // For duplicate_lines two copies of each of the 12 tag banks, each with two ways' line addresses
+  // as they were read and whether they are valid; and a missed line for each bank
   constexpr std::uint64_t kLine = 26, kCopies = 12 * 2 * 2 * (kLine + 1) + 12 * kLine;
   EXPECT_EQ(with - without, kCounters + kCopies);
   EXPECT_GT(without, 1000U);

@@ -1,5 +1,5 @@
-// Drives a netlist of the evaluator in Verilator with vectors of `ptmsim vectors` and compares every
-// pixel: the second simulator of scripts/synthesize, beside testbench/sv/ptm_netlist_tb.sv.
+// Drives a netlist of the evaluator in Verilator with vectors of `ptmsim vectors` and compares
+// every pixel: the second simulator of scripts/synthesize, beside testbench/sv/ptm_netlist_tb.sv.
 //
 //   evaluator VECTORS.csv CoefBits LightInt+LightFrac LumBits+LumFrac
 //
@@ -93,8 +93,8 @@ class Bench {
                          unsigned width) {
     for (std::size_t word = 0; word < Words; ++word) port[word] = 0;
     for (unsigned bit = 0; bit < count * width; ++bit) {
-      const auto set = static_cast<std::uint32_t>(low_bits(values[bit / width], width) >>
-                                                  (bit % width) & 1);
+      const auto set =
+          static_cast<std::uint32_t>(low_bits(values[bit / width], width) >> (bit % width) & 1);
       port[bit / 32] |= set << bit % 32;
     }
   }
