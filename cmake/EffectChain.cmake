@@ -1,10 +1,10 @@
 # Writes the module ptm_effect_chain, the stages of a table of effects one behind the other:
 #
-#   PTM_CHAIN_TABLE  the table (testbench/plan/effects.def, or what a build leaves of it)
+#   PTM_CHAIN_TABLE  the table (contract/effects.def, or what a build leaves of it)
 #   PTM_CHAIN        the file
 #
 # cmake/PtmEffects.cmake includes it for the build; for the whole table, which is committed:
-#   cmake -D PTM_CHAIN_TABLE=testbench/plan/effects.def \
+#   cmake -D PTM_CHAIN_TABLE=contract/effects.def \
 #     -D PTM_CHAIN=rtl/effects/ptm_effect_chain.sv -P cmake/EffectChain.cmake
 set(stages "")
 file(STRINGS ${PTM_CHAIN_TABLE} rows REGEX "^PTM_STAGE\\(")
@@ -63,7 +63,7 @@ if(increments STREQUAL "")
 endif()
 string(SUBSTRING "${increments}" 3 -1 increments)
 
-set(module "// Written by cmake/EffectChain.cmake from a table of effects (testbench/plan/effects.def).
+set(module "// Written by cmake/EffectChain.cmake from a table of effects (contract/effects.def).
 //
 // The stages behind C2 in order of their numbers, those of the mask Stages; what is not in it is
 // not there.                                                       docs/spec/effects.md, Time

@@ -1,4 +1,4 @@
-# Reads testbench/plan/effects.def: options PTM_EFFECT_<ID> (ON), and what the build of each model
+# Reads contract/effects.def: options PTM_EFFECT_<ID> (ON), and what the build of each model
 # takes from the rows that are ON, under ${PTM_GENERATED}.
 #
 # PTM_EFFECTS_EXTRA may name a folder with effects of one's own: an effects.def with rows to follow
@@ -89,7 +89,7 @@ function(ptm_effect_files folder)
   set(PTM_STAGE_NUMBERS ${stage_numbers} PARENT_SCOPE)
 endfunction()
 
-set(PTM_EFFECT_TABLES ${CMAKE_SOURCE_DIR}/testbench/plan/effects.def)
+set(PTM_EFFECT_TABLES ${CMAKE_SOURCE_DIR}/contract/effects.def)
 if(PTM_EFFECTS_EXTRA)
   list(APPEND PTM_EFFECT_TABLES ${PTM_EFFECTS_EXTRA}/effects.def)
 endif()

@@ -1,13 +1,14 @@
 # Targets of this project: C++20, every warning an error, headers named from the project's root
 # (`#include "golden/files/ptm_file.h"`), so that the layering test can read who includes whom.
 
-add_library(ptm_options INTERFACE)
-target_include_directories(ptm_options INTERFACE ${CMAKE_SOURCE_DIR} ${PTM_GENERATED}
-  ${PTM_EFFECTS_EXTRA})
-target_compile_options(ptm_options INTERFACE
+set(PTM_WARNINGS
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion
   # GCC is the compiler of record; clang, which only the fuzz preset uses, warns of other things.
   $<$<CXX_COMPILER_ID:GNU>:-Werror>)
+add_library(ptm_options INTERFACE)
+target_include_directories(ptm_options INTERFACE ${CMAKE_SOURCE_DIR} ${PTM_GENERATED}
+  ${PTM_EFFECTS_EXTRA})
+target_compile_options(ptm_options INTERFACE ${PTM_WARNINGS})
 if(PTM_SANITIZE)
   add_compile_options(-fsanitize=${PTM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${PTM_SANITIZE})

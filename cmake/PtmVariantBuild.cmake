@@ -32,7 +32,7 @@ function(ptm_variant_build file generated extra)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/rtl/* ${root}/testbench/sv/*
     ${root}/testbench/rtl/*.h ${root}/testbench/rtl/*.in ${root}/testbench/rtl/variant/CMakeLists.txt
     ${root}/model/reference/*.h ${root}/model/pipeline/*.h ${root}/cmake/*.cmake)
-  list(APPEND sources ${root}/CMakeLists.txt ${root}/testbench/plan/effects.def
+  list(APPEND sources ${root}/CMakeLists.txt ${root}/contract/effects.def
     ${generated}/rtl/ptm_effect_chain.sv)
   if(extra)
     file(GLOB_RECURSE extra_sources CONFIGURE_DEPENDS ${extra}/rtl/* ${extra}/model/*.h)

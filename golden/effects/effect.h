@@ -12,7 +12,7 @@
 #include "golden/scene/unit_scene.h"
 
 /// Effects of sections 3.5 to 4.2 of Polynomial Texture Maps, in double precision, from their
-/// equations. One file an effect; the rows stand in testbench/plan/effects.def, from which
+/// equations. One file an effect; the rows stand in contract/effects.def, from which
 /// effects() is generated. Twin: docs/spec/effects.md, which knows rounding and time; this side
 /// knows neither. What each effect means and which form of an equation it takes:
 /// docs/design/effects.md.

@@ -1,4 +1,4 @@
-// Written by cmake/EffectChain.cmake from a table of effects (testbench/plan/effects.def).
+// Written by cmake/EffectChain.cmake from a table of effects (contract/effects.def).
 //
 // The stages behind C2 in order of their numbers, those of the mask Stages; what is not in it is
 // not there.                                                       docs/spec/effects.md, Time

@@ -2,7 +2,7 @@
 #include <span>
 #include <string_view>
 
-/// The rows of testbench/plan/effects.def that this build has.
+/// The rows of contract/effects.def that this build has.
 namespace ptm::testbench {
 
 struct EffectRow {

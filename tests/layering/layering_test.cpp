@@ -18,6 +18,7 @@ const std::regex kOiio("OpenImageIO/.*");
 const std::regex kEigen("Eigen/.*");
 const std::regex kHighway("hwy/.*");
 const std::regex kEffects("effects/[a-z_]+\\.(h|def|inc)");  ///< written by cmake/PtmEffects.cmake
+const std::regex kContract("contract/[a-z_]+\\.(h|inc)");    ///< written by contract/generator
 const std::regex kPosix("dlfcn\\.h|spawn\\.h");              ///< libraries and programs of its own
 const std::regex kSystemC("systemc|tlm|tlm_utils/.*");
 
@@ -29,16 +30,17 @@ struct Layer {
 
 const std::vector<Layer>& layers() {
   static const std::vector<Layer> all{
+      {"contract/generator", {"contract/generator"}, {std::regex("toml\\+\\+/.*")}},
       {"golden",
        {"golden", "effects"},  // effects/ is what the build writes from the table of effects
        {kOiio, kEigen, std::regex("charls/.*"), std::regex("turbojpeg\\.h"),
         std::regex("toml\\+\\+/.*"), std::regex("tbb/.*|oneapi/tbb.*")}},
-      {"model/reference", {"model/reference"}, {kEigen, kHighway, kEffects}},
+      {"model/reference", {"model/reference"}, {kEigen, kHighway, kEffects, kContract}},
       {"model/quantize", {"model/quantize", "model/reference"}, {kEigen, kHighway}},
-      {"model/pipeline", {"model/pipeline", "model/reference"}, {kSystemC, kEffects}},
+      {"model/pipeline", {"model/pipeline", "model/reference"}, {kSystemC, kEffects, kContract}},
       {"testbench",
        {"golden", "model", "testbench"},
-       {kOiio, kEigen, kHighway, kSystemC, kEffects, kPosix, std::regex("CLI/.*"),
+       {kOiio, kEigen, kHighway, kSystemC, kEffects, kContract, kPosix, std::regex("CLI/.*"),
         std::regex("nlohmann/.*"), std::regex("sqlite3\\.h"), std::regex("verilated.*|V.*\\.h")}},
   };
   return all;

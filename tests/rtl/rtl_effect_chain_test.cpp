@@ -21,7 +21,7 @@ std::string chain_of(const std::string& table, const std::string& chain) {
 
 TEST(RtlEffectChain, ThatIsCommittedIsTheOneOfTheWholeTable) {
   const std::string chain = tests::scratch_file("effect_chain_of_all.sv");
-  const std::string expected = chain_of("testbench/plan/effects.def", chain);
+  const std::string expected = chain_of("contract/effects.def", chain);
   EXPECT_NE(expected.find("ptm_effect_power"), std::string::npos);
   EXPECT_EQ(text_of(std::string(PTM_SOURCE_DIR) + "/rtl/effects/ptm_effect_chain.sv"), expected)
       << "write it with the command that stands in cmake/EffectChain.cmake";

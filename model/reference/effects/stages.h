@@ -5,7 +5,7 @@
 #include "effects/reference_stages.h"
 #include "model/reference/effects/stage.h"
 
-/// The stages that this build has, from the rows of testbench/plan/effects.def that are on. A new
+/// The stages that this build has, from the rows of contract/effects.def that are on. A new
 /// row and its headers change nothing here.
 namespace ptm::reference::effects {
 

@@ -1,0 +1,13 @@
+#include "contract/generator/emit.h"
+
+namespace ptm::contract {
+
+Tables read_tables(const std::filesystem::path& folder) { return {read_parameters(folder)}; }
+
+Outputs all_outputs(const Tables& tables) {
+  Outputs outputs;
+  emit_variants(tables.parameters, outputs);
+  return outputs;
+}
+
+}  // namespace ptm::contract
