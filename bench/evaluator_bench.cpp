@@ -32,7 +32,7 @@ void count_cycles(benchmark::State& state, std::uint64_t cycles) {
 
 void rtl_alone(benchmark::State& state, const reference::Preset& preset) {
   const auto pool = make_pool(preset.config);
-  const auto rtl = make_rtl_evaluator(preset.name);
+  const auto rtl = make_rtl_evaluator(preset.config);
   std::uint64_t cycles = 0, sum = 0;
   for (auto _ : state) {
     cycles +=
@@ -95,7 +95,7 @@ class Comparison {
 
 void compared(benchmark::State& state, const reference::Preset& preset) {
   const auto pool = make_pool(preset.config);
-  const auto rtl = make_rtl_evaluator(preset.name);
+  const auto rtl = make_rtl_evaluator(preset.config);
   std::uint64_t cycles = 0, pixels = 0, compared = 0, differing = 0;
   reference::with_constant_config(preset.config, [&](const auto& config) {
     Comparison comparison(config, pool);

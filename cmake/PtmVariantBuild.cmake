@@ -33,7 +33,7 @@ function(ptm_variant_build file generated extra)
     ${root}/testbench/rtl/*.h ${root}/testbench/rtl/*.in ${root}/testbench/rtl/variant/CMakeLists.txt
     ${root}/model/reference/*.h ${root}/model/pipeline/*.h ${root}/cmake/*.cmake)
   list(APPEND sources ${root}/CMakeLists.txt ${root}/contract/effects.def
-    ${generated}/rtl/ptm_effect_chain.sv)
+    ${generated}/rtl/ptm_effect_chain.sv ${PTM_CONTRACT_HEADERS})
   if(extra)
     file(GLOB_RECURSE extra_sources CONFIGURE_DEPENDS ${extra}/rtl/* ${extra}/model/*.h)
     list(APPEND sources ${extra_sources} ${extra}/effects.def)
@@ -43,7 +43,8 @@ function(ptm_variant_build file generated extra)
   set(number 0)
   foreach(source IN LISTS sources)
     set(name "")
-    foreach(pair IN ITEMS "${root}|" "${generated}|generated/" "${extra}|extra/")
+    foreach(pair IN ITEMS "${root}|" "${PTM_GENERATED}|generated/" "${generated}|generated/"
+        "${extra}|extra/")
       string(REGEX MATCH "^(.*)\\|(.*)$" pair "${pair}")
       set(folder "${CMAKE_MATCH_1}")
       set(prefix "${CMAKE_MATCH_2}")

@@ -56,7 +56,7 @@ function(ptm_verilate target)
     list(APPEND flags --assert)
   endif()
   file(GLOB rtl_files LIST_DIRECTORIES false CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*
-    ${CMAKE_SOURCE_DIR}/rtl/effects/* ${PTM_GENERATED}/rtl/*)
+    ${CMAKE_SOURCE_DIR}/rtl/contract/* ${CMAKE_SOURCE_DIR}/rtl/effects/* ${PTM_GENERATED}/rtl/*)
   add_custom_command(
     OUTPUT ${dir}/${arg_PREFIX}.h ${dir}/all.cxx
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${dir}

@@ -17,5 +17,5 @@ rtl/ptm_stream_reg.sv
 rtl/ptm_stream_chain.sv
 rtl/ptm_stream_fifo2.sv
 rtl/ptm_rgb_assemble.sv
-rtl/ptm_evaluator_parameters.sv
+rtl/contract/ptm_evaluator_parameters.sv
 rtl/ptm_evaluator.sv

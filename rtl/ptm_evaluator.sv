@@ -13,19 +13,8 @@
 // Twin: ptm::reference::evaluate_lrgb() and evaluate_rgb() in model/reference/evaluate.h.
 `include "ptm_assert.svh"
 module ptm_evaluator #(
-  // EvalConfig; ranges in docs/spec/datapath.md, defaults are the preset `base`
-  parameter int CoefBits     = 8,   // 4..12
-  parameter int DeltaBits    = 9,   // 5..13
-  parameter int LightInt     = 2,   // 1..3
-  parameter int LightFrac    = 8,   // 4..14
-  parameter int BasisFrac    = 8,   // 4..2*LightFrac
-  parameter int Guard        = 4,   // 0..12
-  parameter int RoundNearest = 1,   // 0: truncate
-  parameter int LumBits      = 10,  // 8..12
-  parameter int LumFrac      = 0,   // 0..4
-  parameter int ShiftMin     = -4,  // -8..0
-  parameter int ShiftGroups  = 6,   // 3, 6
-  parameter int FilterFrac   = 0,   // 0..4
+  `include "contract/ptm_evaluator_parameters.svh"
+  ,
   // 1: an RGB map's three passes leave as one pixel; 0: every pass leaves as it comes, its channel's
   // value in all three places (evaluators side by side, one a channel)
   parameter int Assemble     = 1,
@@ -68,9 +57,8 @@ module ptm_evaluator #(
   localparam int ProductW = ptm_pkg::color_product_bits(LumBits, LumFrac, FilterFrac);
 
   ptm_evaluator_parameters #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    `include "contract/ptm_evaluator_map.svh"
+    ,
     .Assemble(Assemble), .SidebandBits(SidebandBits)
   ) u_parameters ();
 

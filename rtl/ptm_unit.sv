@@ -11,36 +11,7 @@
 //
 // Twins: ptm::reference::shade() for values, the timing `exact` of model/pipeline for cycles.
 module ptm_unit #(
-  // EvalConfig; as ptm_evaluator, but CoefBits at most 10
-  parameter int CoefBits     = 8,
-  parameter int DeltaBits    = 9,
-  parameter int LightInt     = 2,
-  parameter int LightFrac    = 8,
-  parameter int BasisFrac    = 8,
-  parameter int Guard        = 4,
-  parameter int RoundNearest = 1,
-  parameter int LumBits      = 10,
-  parameter int LumFrac      = 0,
-  parameter int ShiftMin     = -4,
-  parameter int ShiftGroups  = 6,
-  parameter int FilterFrac   = 0,
-  // UnitConfig
-  parameter int Tmus             = 3,    // words fetched side by side; 1..3
-  parameter int CacheKib         = 16,   // of a TMU; 1..64, a power of two
-  parameter int Ways             = 2,    // 1, 2, 4
-  parameter int FragmentFifo     = 192,  // beats; 4..1024
-  parameter int MissFifo         = 64,   // lines; 4 * Tmus..256
-  parameter int PaletteLrgbPorts = 4,    // look-ups a cycle; 1, 2, 4
-  parameter int PaletteRgbPorts  = 1,    // 1, 2, 4
-  parameter int EvalLanes        = 1,    // evaluators side by side; 1, 3
-  // What effects need (docs/spec/effects.md); without it nothing of it is there
-  parameter int HalfVector       = 0,    // fragments bring (hu, hv); needs ExtraPasses; 0, 1
-  parameter int ExtraSets        = 0,    // coefficient sets beyond the map's; 0..ExtraPasses
-  parameter int ExtraPasses      = 0,    // evaluator passes beyond the map's; 0..4
-  parameter int Stages           = 0,    // mask of stages behind the combine stage
-  // What only tells of the unit's work
-  parameter int Counters         = 1,    // 0: no counters, their registers read as 0; 0, 1
-  parameter int DuplicateLines   = 1     // the counter duplicate_lines; needs Counters; 0, 1
+  `include "contract/ptm_unit_parameters.svh"
 ) (
   input  logic         clk_i,
   // Both fall at any time and must rise between two rising edges of clk_i, as a synchroniser of the
@@ -96,14 +67,7 @@ module ptm_unit #(
   output logic                               pix_mem_error_o  // of a line that could not be read
 );
   ptm_unit_parameters #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
-    .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
-    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
-    .ExtraPasses(ExtraPasses), .Stages(Stages), .Counters(Counters),
-    .DuplicateLines(DuplicateLines)
+    `include "contract/ptm_unit_map.svh"
   ) u_parameters ();
 
   // Registers
@@ -121,14 +85,7 @@ module ptm_unit #(
   logic [11:0] table_data;
   logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities;
   ptm_unit_capabilities #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
-    .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
-    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
-    .ExtraPasses(ExtraPasses), .Stages(Stages), .Counters(Counters),
-    .DuplicateLines(DuplicateLines)
+    `include "contract/ptm_unit_map.svh"
   ) u_capabilities (
     .words_o(capabilities)
   );
@@ -208,9 +165,7 @@ module ptm_unit #(
   logic [7:0] inc_filter;
   logic [5:0] inc_eval, inc_effects;
   ptm_unit_front #(
-    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
-    .MissFifo(MissFifo), .ExtraSets(ExtraSets), .Stages(Stages), .Counters(Counters),
-    .DuplicateLines(DuplicateLines)
+    `include "contract/ptm_unit_front_map.svh"
   ) u_front (
     .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining),
     .draws_i(draws), .sets_i(sets),
@@ -231,12 +186,7 @@ module ptm_unit #(
   );
 
   ptm_unit_back #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
-    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
-    .ExtraPasses(ExtraPasses), .Stages(Stages)
+    `include "contract/ptm_unit_back_map.svh"
   ) u_back (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .effects_i(effects),
     .table_we_i(table_we), .table_addr_i(table_addr), .table_data_i(table_data), .hu_i(o_hu),

@@ -12,28 +12,7 @@
 // Twin: shade() in model/reference/unit/shade.h.
 `include "ptm_assert.svh"
 module ptm_unit_back #(
-  // EvalConfig; as ptm_evaluator, but CoefBits at most 10
-  parameter int CoefBits     = 8,
-  parameter int DeltaBits    = 9,
-  parameter int LightInt     = 2,
-  parameter int LightFrac    = 8,
-  parameter int BasisFrac    = 8,
-  parameter int Guard        = 4,
-  parameter int RoundNearest = 1,
-  parameter int LumBits      = 10,
-  parameter int LumFrac      = 0,
-  parameter int ShiftMin     = -4,
-  parameter int ShiftGroups  = 6,
-  parameter int FilterFrac   = 0,
-  // UnitConfig
-  parameter int Tmus             = 3,  // 1..3
-  parameter int PaletteLrgbPorts = 4,  // 1, 2, 4
-  parameter int PaletteRgbPorts  = 1,  // 1, 2, 4
-  parameter int EvalLanes        = 1,  // evaluators side by side; 1, or 3: one a channel
-  parameter int HalfVector       = 0,  // effects, as ptm_unit
-  parameter int ExtraSets        = 0,
-  parameter int ExtraPasses      = 0,
-  parameter int Stages           = 0
+  `include "contract/ptm_unit_back_parameters.svh"
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -153,9 +132,8 @@ module ptm_unit_back #(
       assign in_sideband = '0;
     end
     ptm_evaluator #(
-      .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-      .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-      .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+      `include "contract/ptm_evaluator_map.svh"
+      ,
       .Assemble(EvalLanes == 1 ? 1 : 0), .SidebandBits(SidebandW)
     ) u_evaluator (
       .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(in), .ready_o(lane_in_ready[e]),

@@ -3,32 +3,7 @@
 //
 // Twin: capability_words() in model/reference/unit/register_map.cpp.
 module ptm_unit_capabilities #(
-  parameter int CoefBits         = 8,  // all as ptm_unit
-  parameter int DeltaBits        = 9,
-  parameter int LightInt         = 2,
-  parameter int LightFrac        = 8,
-  parameter int BasisFrac        = 8,
-  parameter int Guard            = 4,
-  parameter int RoundNearest     = 1,
-  parameter int LumBits          = 10,
-  parameter int LumFrac          = 0,
-  parameter int ShiftMin         = -4,
-  parameter int ShiftGroups      = 6,
-  parameter int FilterFrac       = 0,
-  parameter int Tmus             = 3,
-  parameter int CacheKib         = 16,
-  parameter int Ways             = 2,
-  parameter int FragmentFifo     = 192,
-  parameter int MissFifo         = 64,
-  parameter int PaletteLrgbPorts = 4,
-  parameter int PaletteRgbPorts  = 1,
-  parameter int EvalLanes        = 1,
-  parameter int HalfVector       = 0,
-  parameter int ExtraSets        = 0,
-  parameter int ExtraPasses      = 0,
-  parameter int Stages           = 0,
-  parameter int Counters         = 1,
-  parameter int DuplicateLines   = 1
+  `include "contract/ptm_unit_parameters.svh"
 ) (
   output logic [32*ptm_unit_pkg::CapabilityWords-1:0] words_o  // word 0 lowest
 );

@@ -7,15 +7,8 @@
 // Timing of every register: docs/spec/unit-timing.md. ready_o, the requests and everything towards
 // memory depend on registers alone; D's ready reaches back to the fragment FIFO's exit.
 module ptm_unit_front #(
-  parameter int Tmus         = 3,    // 1..3
-  parameter int CacheKib     = 16,   // of a TMU; 1..64, a power of two
-  parameter int Ways         = 2,    // 1, 2, 4
-  parameter int FragmentFifo = 192,  // beats; 4..1024
-  parameter int MissFifo     = 64,   // lines; 4 * Tmus..256
-  parameter int ExtraSets    = 0,    // 0..4
-  parameter int Stages       = 0,    // mask
-  parameter int Counters     = 1,    // 0, 1
-  parameter int DuplicateLines = 1,  // 0: the counter of that name is 0
+  `include "contract/ptm_unit_front_parameters.svh"
+  ,
   localparam int LineBits    = ptm_unit_pkg::LineBits,
   localparam int LineWidth   = ptm_unit_front_pkg::LineWidth
 ) (

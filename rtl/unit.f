@@ -61,5 +61,5 @@ rtl/ptm_unit_events.sv
 rtl/ptm_unit_capabilities.sv
 rtl/ptm_unit_registers.sv
 rtl/ptm_half_fifo.sv
-rtl/ptm_unit_parameters.sv
+rtl/contract/ptm_unit_parameters.sv
 rtl/ptm_unit.sv

@@ -118,9 +118,13 @@ void check_names(const Row& row, const Config& config, const Parameter& paramete
 
 void read_rows(const TableFile& file, Parameters& parameters) {
   for (const Row& row : file.rows("config")) {
-    row.only({"name", "struct", "namespace", "meaning"});
-    parameters.configs.push_back(
-        {row.text("name"), row.text("struct"), row.text("namespace"), row.text("meaning"), {}});
+    row.only({"name", "struct", "namespace", "header", "meaning"});
+    parameters.configs.push_back({row.text("name"),
+                                  row.text("struct"),
+                                  row.text("namespace"),
+                                  row.text("header"),
+                                  row.text("meaning"),
+                                  {}});
   }
   for (const Row& row : file.rows("preset")) {
     row.only({"name"});
@@ -158,8 +162,9 @@ Variant read_variant(const Row& row, const Parameters& parameters) {
   variant.meaning = row.text_or("meaning", "");
   variant.asserts = row.flag_or("asserts", false);
   variant.program = row.flag_or("program", true);
-  if (variant.kind != "evaluator" && variant.kind != "unit" && variant.kind != "back") {
-    row.fail("kind", "found '" + variant.kind + "', expected evaluator, unit or back");
+  constexpr std::array<const char*, 4> kinds{"evaluator", "unit", "back", "netlist"};
+  if (std::find(kinds.begin(), kinds.end(), variant.kind) == kinds.end()) {
+    row.fail("kind", "found '" + variant.kind + "', expected evaluator, unit, back or netlist");
   }
   const auto& presets = parameters.presets;
   if (std::find(presets.begin(), presets.end(), variant.preset) == presets.end()) {

@@ -34,7 +34,7 @@ struct Parameter {
 
 /// A set of parameters: a struct of C++.
 struct Config {
-  std::string name, type, space, meaning;
+  std::string name, type, space, header, meaning;
   std::vector<Parameter> parameters;
   [[nodiscard]] const Parameter* find(std::string_view name) const;
 };

@@ -37,6 +37,11 @@ Text& Text::line(std::string_view text) {
   return *this;
 }
 
+Text& Text::lines(std::string_view text) {
+  text_.append(text);
+  return *this;
+}
+
 Text& Text::comment(std::string_view prefix, std::string_view words) {
   for (const std::string& part : wrapped(words, kColumns - prefix.size())) {
     line(std::string(prefix) + part);

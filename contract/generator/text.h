@@ -21,6 +21,8 @@ inline constexpr std::size_t kColumns = 100;
 class Text {
  public:
   Text& line(std::string_view text = {});
+  /// Lines that have their ends.
+  Text& lines(std::string_view text);
   /// Words as a comment: each line begins with `prefix` ("// ", "  /// ").
   Text& comment(std::string_view prefix, std::string_view words);
   /// Parts with commas between and `end` behind the last, as many a line as go in, each line begun

@@ -8,15 +8,10 @@
 namespace ptm::pipeline {
 namespace {
 
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
-
 class FixedTiming final : public MemoryTiming {
  public:
   explicit FixedTiming(const FixedMemory& memory) : memory_(memory) {
-    require(memory.latency >= 1, "memory: latency is 0, expected at least 1 cycle");
-    require(memory.interval >= 1, "memory: interval is 0, expected at least 1 cycle");
+    reference::validate_parameters(memory);
   }
 
   Cycle line(std::uint64_t, std::uint32_t, Cycle cycle) override {
@@ -34,11 +29,7 @@ class FixedTiming final : public MemoryTiming {
 class DramTiming final : public MemoryTiming {
  public:
   explicit DramTiming(const DramMemory& memory) : memory_(memory) {
-    require(memory.banks >= 1, "DRAM: banks is below 1");
-    require(memory.page_lines >= 1, "DRAM: page_lines is below 1");
-    require(memory.burst >= 1, "DRAM: burst is 0, expected at least 1 cycle");
-    require(memory.tREFI == 0 || memory.tREFI > memory.tRFC + memory.tRCD,
-            "DRAM: tREFI leaves no time for a read after tRFC and tRCD (0 for no refresh)");
+    reference::validate_parameters(memory);
     reset();
   }
 
@@ -118,8 +109,7 @@ class DramTiming final : public MemoryTiming {
 class RandomTiming final : public MemoryTiming {
  public:
   explicit RandomTiming(const RandomMemory& memory) : memory_(memory) {
-    require(memory.latency_min >= 1, "memory: latency_min is 0, expected at least 1 cycle");
-    require(memory.latency_max >= memory.latency_min, "memory: latency_max is below latency_min");
+    reference::validate_parameters(memory);
   }
 
   Cycle line(std::uint64_t index, std::uint32_t, Cycle cycle) override {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <variant>
 
+#include "contract/memory_config.h"
 #include "model/pipeline/stream_timing.h"
 
 /// When a memory answers. One class for the pipeline model and the RTL's test bench
@@ -26,43 +27,28 @@ class MemoryTiming {
   virtual void reset() = 0;
 };
 
-/// Cycles to the first answer, and from one answer to the next:
-/// done = max(cycle + latency, previous done + interval).
-struct FixedMemory {
-  Cycle latency = 100;
-  Cycle interval = 4;
-};
-
-/// A paged DRAM behind one channel, parameters named after their data-sheet fields, in the unit's
-/// cycles. Page p = address / page_lines is row p / banks of bank p mod banks. A request's commands
-/// start when it comes and its bank has read for the one before (`burst` cycles after that read),
-/// each in the earliest cycle that the following allow:
-///
-///     row open     read at once
-///     none open    activate, tRCD later read
-///     other open   precharge (tRAS after its activation at the earliest), tRP later activate
-///     tRC          a bank's activations are tRAS + tRP apart, whatever closed the row between them
-///     bus          data follow CL after the read on one bus, in request order, `burst` cycles a
-///                  line; a read waits until its data find the bus free
-///     refresh      none of the commands lies in the first tRFC cycles of each tREFI (the first one
-///                  excepted); tRFC includes the closing of every row. Data of a read given before
-///                  still arrive. Commands that would not all come before a refresh come after it.
-///
-/// The answer arrives `overhead` cycles after the last data.
-struct DramMemory {
-  int banks = 8;
-  int page_lines = 32;  ///< lines of 64 bytes a row holds
-  Cycle tRCD = 14, tRP = 14, CL = 14, tRAS = 33, burst = 4;
-  Cycle tREFI = 7800, tRFC = 350;  ///< refresh; tREFI = 0: none
-  Cycle overhead = 40;             ///< controller and wires, both ways
-};
-
-/// For stress: latencies hashed from (seed, index) in [latency_min, latency_max], answers out of
-/// order; one whose cycle is another's already takes the next free cycle.
-struct RandomMemory {
-  std::uint64_t seed = 1;
-  Cycle latency_min = 1, latency_max = 200;
-};
+// FixedMemory, DramMemory and RandomMemory are generated from contract/parameters.toml.
+//
+// FixedMemory: done = max(cycle + latency, previous done + interval).
+//
+// DramMemory: page p = address / page_lines is row p / banks of bank p mod banks. A request's
+// commands start when it comes and its bank has read for the one before (`burst` cycles after that
+// read), each in the earliest cycle that the following allow:
+//
+//     row open     read at once
+//     none open    activate, tRCD later read
+//     other open   precharge (tRAS after its activation at the earliest), tRP later activate
+//     tRC          a bank's activations are tRAS + tRP apart, whatever closed the row between them
+//     bus          data follow CL after the read on one bus, in request order, `burst` cycles a
+//                  line; a read waits until its data find the bus free
+//     refresh      none of the commands lies in the first tRFC cycles of each tREFI (the first one
+//                  excepted); tRFC includes the closing of every row. Data of a read given before
+//                  still arrive. Commands that would not all come before a refresh come after it.
+//
+// The answer arrives `overhead` cycles after the last data.
+//
+// RandomMemory: latencies hashed from (seed, index); one whose cycle is another's already takes the
+// next free cycle.
 
 /// A fault for tests: what happens to the request of that index.
 struct MemoryFault {
@@ -73,8 +59,8 @@ struct MemoryFault {
 
 using MemoryModel = std::variant<FixedMemory, DramMemory, RandomMemory>;
 
-/// All throw std::invalid_argument, naming the field, where an answer could not be later than its
-/// request or two could share a cycle.
+/// All throw std::invalid_argument, naming the field, where a parameter is outside its range:
+/// within it every answer is later than its request and no two share a cycle.
 [[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const FixedMemory& memory);
 [[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const DramMemory& memory);
 [[nodiscard]] std::unique_ptr<MemoryTiming> make_memory(const RandomMemory& memory);

@@ -11,18 +11,8 @@ module ptm_evaluator_flow #(
   parameter int Age          = 8,   // 8 if nothing stalls
   parameter int StallFrom    = 31,
   parameter int StallTo      = 0,   // below StallFrom: never
-  parameter int CoefBits     = 8,
-  parameter int DeltaBits    = 9,
-  parameter int LightInt     = 2,
-  parameter int LightFrac    = 8,
-  parameter int BasisFrac    = 8,
-  parameter int Guard        = 4,
-  parameter int RoundNearest = 1,
-  parameter int LumBits      = 10,
-  parameter int LumFrac      = 0,
-  parameter int ShiftMin     = -4,
-  parameter int ShiftGroups  = 6,
-  parameter int FilterFrac   = 0,
+  `include "contract/ptm_evaluator_parameters.svh"
+  ,
   localparam int SidebandBits = 4,
   localparam int StoredW = ptm_pkg::stored_bits(CoefBits, FilterFrac),
   localparam int LightW  = ptm_pkg::light_bits(LightInt, LightFrac),
@@ -55,9 +45,8 @@ module ptm_evaluator_flow #(
   logic [23:0]             rgb;
   logic [SidebandBits-1:0] sideband;
   ptm_evaluator #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    `include "contract/ptm_evaluator_map.svh"
+    ,
     .SidebandBits(SidebandBits)
   ) u_evaluator (
     .clk_i(clk_i), .rst_ni(running), .valid_i(running), .ready_o(ready), .coef_i(coef_i),
@@ -76,9 +65,7 @@ module ptm_evaluator_flow #(
   } beat_t;
   beat_t beat;
   ptm_evaluator_steps #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac)
+    `include "contract/ptm_evaluator_map.svh"
   ) u_steps (
     .coef_i(coef_i), .bias_i(bias_i), .shift_i(shift_i), .rgb_i(rgb_i), .lu_i(lu_i), .lv_i(lv_i),
     .rgb_map_i(RgbMap != 0), .lum_o(beat.lum), .lum_saturated_o(beat.lum_saturated),

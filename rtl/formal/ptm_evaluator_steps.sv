@@ -3,18 +3,8 @@
 // The same modules as in ptm_evaluator, each proved equal to its C++ function for every input
 // (testbench/prove/evaluator_claims.h); this module says which output goes where.
 module ptm_evaluator_steps #(
-  parameter int CoefBits     = 8,
-  parameter int DeltaBits    = 9,
-  parameter int LightInt     = 2,
-  parameter int LightFrac    = 8,
-  parameter int BasisFrac    = 8,
-  parameter int Guard        = 4,
-  parameter int RoundNearest = 1,
-  parameter int LumBits      = 10,
-  parameter int LumFrac      = 0,
-  parameter int ShiftMin     = -4,
-  parameter int ShiftGroups  = 6,
-  parameter int FilterFrac   = 0,
+  `include "contract/ptm_evaluator_parameters.svh"
+  ,
   localparam int StoredW = ptm_pkg::stored_bits(CoefBits, FilterFrac),
   localparam int LightW  = ptm_pkg::light_bits(LightInt, LightFrac),
   localparam int RgbW    = ptm_pkg::rgb_bits(FilterFrac),

@@ -12,7 +12,7 @@ namespace {
 
 struct VectorOptions {
   VectorRequest request;
-  std::string format = "lrgb", unit = "evaluator";
+  std::string preset = "base", format = "lrgb", unit = "evaluator";
 };
 
 void print_vectors(VectorOptions options) {
@@ -21,6 +21,7 @@ void print_vectors(VectorOptions options) {
   } else if (options.format == "rgb") {
     options.request.kind = VectorKind::rgb;
   }
+  options.request.config = reference::find_preset(options.preset).config;
   std::ios::sync_with_stdio(false);
   write_vectors(options.request, std::cout);
   std::cout.flush();
@@ -34,7 +35,7 @@ void add_vectors_command(CLI::App& app) {
   VectorRequest& request = options->request;
   CLI::App* command = app.add_subcommand(
       "vectors", "Print evaluator inputs and outputs as CSV (docs/spec/vectors.md)");
-  command->add_option("--preset", request.preset, "Evaluator preset")
+  command->add_option("--preset", options->preset, "Evaluator preset")
       ->check(CLI::IsMember({"paper8", "base", "wide"}))
       ->capture_default_str();
   command->add_option("--count", request.count, "How many rows")

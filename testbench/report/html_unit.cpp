@@ -66,7 +66,7 @@ void add_build(std::string& page, const UnitSection& unit) {
   add_fact(page, "Cache of a TMU",
            std::to_string(c.cache_kib) + " KiB, " +
                plural(static_cast<std::size_t>(c.ways), "way") + ", four banks of " +
-               plural(static_cast<std::size_t>(c.sets()), "set"));
+               plural(static_cast<std::size_t>(reference::cache_sets(c)), "set"));
   add_fact(page, "Fragment FIFO", plural(static_cast<std::size_t>(c.fragment_fifo), "beat"));
   add_fact(page, "Miss ring", plural(static_cast<std::size_t>(c.miss_fifo), "line"));
   if (has_palette(unit)) {

@@ -2,13 +2,12 @@
 
 namespace ptm::testbench {
 
-const std::array<RtlVariant, 5>& rtl_variants() {
-  static const std::array<RtlVariant, 5> variants{{{"paper8", reference::kPaper8, make_rtl_paper8},
-                                                   {"base", reference::kBase, make_rtl_base},
-                                                   {"wide", reference::kWide, make_rtl_wide},
-                                                   {"small", kSmall, make_rtl_small},
-                                                   {"large", kLarge, make_rtl_large}}};
-  return variants;
+std::span<const RtlVariant> rtl_variants() {
+#define PTM_VARIANT_ROW(name) {#name, variants::evaluator_##name##_evaluator, make_rtl_##name},
+  static const RtlVariant all[] = {PTM_RTL_EVALUATORS(PTM_VARIANT_ROW)
+                                       PTM_RTL_TEST_EVALUATORS(PTM_VARIANT_ROW)};
+#undef PTM_VARIANT_ROW
+  return all;
 }
 
 }  // namespace ptm::testbench

@@ -8,7 +8,6 @@ inline constexpr std::uint8_t kNone = 0;
 inline constexpr std::uint8_t kHolds = 1;  ///< a beat stands at K
 inline constexpr std::uint8_t kX = 2, kY = 3;
 inline constexpr std::uint8_t kSlot = 4, kLine = 5;  ///< the first that K has not committed
-inline constexpr std::uint8_t kParameters = 128;  ///< twelve of rtl_parameters(), then UnitConfig
-inline constexpr int kParameterCount = 26;
+inline constexpr std::uint8_t kParameters = 128;     ///< in order of rtl_parameters()
 
 }  // namespace ptm::testbench::unit_probe

@@ -1,27 +1,18 @@
 #pragma once
-#include <array>
 #include <memory>
 #include <span>
 
-#include "model/reference/eval_config.h"
+#include "contract/rtl_variants.h"
 #include "testbench/rtl/verilated_unit.h"
 
-/// Every variant of the unit that testbench/rtl/CMakeLists.txt verilates; others are built when
-/// they are asked for (variant_cache.h).
+/// Every variant of the unit that comes with the build (contract/variants.toml); others are built
+/// when they are asked for (variant_cache.h).
 namespace ptm::testbench {
 
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base3();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base2();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_base1();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_paper8();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_wide();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_effects();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_specular();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small_effects();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_bare();
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_small();
-/// A library of its own, ptm_rtl_unit_large, which only its test links.
-[[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_large();
+#define PTM_DECLARE(name) [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_##name();
+PTM_RTL_UNITS(PTM_DECLARE)
+PTM_RTL_TEST_UNITS(PTM_DECLARE)  // libraries of their own, ptm_rtl_unit_<name>
+#undef PTM_DECLARE
 
 #ifdef PTM_VARIANT_LIBRARY
 [[nodiscard]] std::unique_ptr<RtlUnit> make_rtl_unit_cached();

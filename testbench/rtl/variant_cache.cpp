@@ -1,5 +1,6 @@
 #include "testbench/rtl/variant_cache.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/mman.h>
@@ -28,9 +29,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string key_of(const std::vector<std::string>& parameters) {
+/// What is asked for.
+struct Wanted {
+  std::string kind;  ///< "unit" or "evaluator"
+  std::vector<std::string> parameters;
+};
+
+std::string key_of(const Wanted& wanted) {
   const VariantBuild& build = variant_build();
+  const std::vector<std::string>& parameters = wanted.parameters;
   Digest digest;
+  digest.add(wanted.kind);
   for (const std::string& parameter : parameters) digest.add(parameter);
   digest.add(build.tools);
   for (const std::string& option : build.options) digest.add(option);
@@ -71,7 +80,7 @@ std::string tail(const std::string& log) {
 
 void need(const std::string& tool, const char* package) {
   if (find_program(tool)) return;
-  throw ToolError("this unit is not among those that come with the build, and to build it " + tool +
+  throw ToolError("this RTL is not among what comes with the build, and to build it " + tool +
                   " is needed: install the package " + package);
 }
 
@@ -122,7 +131,7 @@ void run_tool(const std::vector<std::string>& command, const fs::path& work) {
   if (const std::string fault = disk_fault(said, work); !fault.empty()) {
     throw UnusableCache(work.parent_path().string(), fault);
   }
-  throw ToolError("building the RTL unit failed: " + command.front() + " ended with status " +
+  throw ToolError("building the RTL failed: " + command.front() + " ended with status " +
                   std::to_string(status) + ":" + tail(said));
 }
 
@@ -171,13 +180,17 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 }
 
 /// Sources and all that tools write lie in a folder of their own.
-void build(const fs::path& library, const std::vector<std::string>& parameters) {
+void build(const fs::path& library, const Wanted& wanted) {
   const WorkFolder work(library);
   const fs::path source = work.path() / "source", build = work.path() / "build";
   unpack_sources(source);
-  std::vector<std::string> configure{"cmake",         "-S",
-                                     source.string(), "-B",
-                                     build.string(),  "-DPTM_VARIANT=" + joined(parameters, ";")};
+  std::vector<std::string> configure{"cmake",
+                                     "-S",
+                                     source.string(),
+                                     "-B",
+                                     build.string(),
+                                     "-DPTM_VARIANT=" + joined(wanted.parameters, ";"),
+                                     "-DPTM_VARIANT_KIND=" + wanted.kind};
   if (fs::exists(source / "extra")) {
     configure.push_back("-DPTM_EFFECTS_EXTRA=" + fs::absolute(source / "extra").string());
   }
@@ -189,48 +202,20 @@ void build(const fs::path& library, const std::vector<std::string>& parameters) 
   fs::rename(build / "ptm_variant.so", library);
 }
 
-}  // namespace
-
-std::vector<std::string> rtl_parameters(const reference::EvalConfig& config,
-                                        const reference::UnitConfig& unit) {
-  const auto value = [](const char* name, auto number) {
-    return std::string(name) + "=" + std::to_string(static_cast<long long>(number));
-  };
-  return {value("CoefBits", config.coef_bits),
-          value("DeltaBits", config.delta_bits),
-          value("LightInt", config.light_int),
-          value("LightFrac", config.light_frac),
-          value("BasisFrac", config.basis_frac),
-          value("Guard", config.guard),
-          value("RoundNearest", config.rounding == reference::Rounding::nearest),
-          value("LumBits", config.lum_bits),
-          value("LumFrac", config.lum_frac),
-          value("ShiftMin", config.shift_min),
-          value("ShiftGroups", config.shift_groups),
-          value("FilterFrac", config.filter_frac),
-          value("Tmus", unit.tmus),
-          value("CacheKib", unit.cache_kib),
-          value("Ways", unit.ways),
-          value("FragmentFifo", unit.fragment_fifo),
-          value("MissFifo", unit.miss_fifo),
-          value("PaletteLrgbPorts", unit.palette_lrgb_ports),
-          value("PaletteRgbPorts", unit.palette_rgb_ports),
-          value("EvalLanes", unit.eval_lanes),
-          value("HalfVector", unit.half_vector),
-          value("ExtraSets", unit.extra_sets),
-          value("ExtraPasses", unit.extra_passes),
-          value("Stages", unit.stages),
-          value("Counters", unit.counters),
-          value("DuplicateLines", unit.duplicate_lines)};
+template <class Config>
+void add_parameters(const Config& config, std::vector<std::string>& list) {
+  using Table = reference::ParameterTable<Config>;
+  for (std::size_t i = 0; i < Table::kCount; ++i) {
+    list.push_back(std::string(Table::rows()[i].rtl) + "=" + std::to_string(Table::get(config, i)));
+  }
 }
 
-fs::path variant_library(const reference::EvalConfig& config, const reference::UnitConfig& unit) {
-  return cache_folder() / ("unit-" + key_of(rtl_parameters(config, unit)) + ".so");
+fs::path library_of(const Wanted& wanted) {
+  return cache_folder() / (wanted.kind + "-" + key_of(wanted) + ".so");
 }
 
-fs::path build_variant(const reference::EvalConfig& config, const reference::UnitConfig& unit,
-                       const std::function<void(const std::string&)>& say) {
-  fs::path library = variant_library(config, unit);
+fs::path build_wanted(const Wanted& wanted, const Say& say) {
+  fs::path library = library_of(wanted);
   auto claim = golden::FolderClaim::of(library.parent_path());
   if (is_sealed(library)) return library;
   need("cmake", "cmake");
@@ -242,18 +227,57 @@ fs::path build_variant(const reference::EvalConfig& config, const reference::Uni
   claim = golden::FolderClaim::of(library.parent_path());
   const BuildLock lock(library);
   if (is_sealed(library)) return library;  // another program was faster
-  const std::vector<std::string> parameters = rtl_parameters(config, unit);
   std::error_code error;
   if (say && fs::exists(library, error)) say(library.string() + " is damaged and is built again");
-  if (say) say("building an RTL unit, once: " + joined(parameters, " "));
+  if (say) say("building an RTL " + wanted.kind + ", once: " + joined(wanted.parameters, " "));
   try {
-    build(library, parameters);
+    build(library, wanted);
   } catch (const golden::InputError& fault) {
     throw UnusableCache(library.parent_path().string(), fault.found());
   } catch (const std::system_error& fault) {  // of a file system, or a program that cannot start
     throw UnusableCache(library.parent_path().string(), fault.code().message());
   }
   return library;
+}
+
+Wanted wanted_unit(const reference::EvalConfig& config, const reference::UnitConfig& unit) {
+  return {"unit", rtl_parameters(config, unit)};
+}
+
+}  // namespace
+
+std::vector<std::string> evaluator_parameters(const reference::EvalConfig& config) {
+  std::vector<std::string> list;
+  add_parameters(config, list);
+  return list;
+}
+
+std::vector<std::string> rtl_parameters(const reference::EvalConfig& config,
+                                        const reference::UnitConfig& unit) {
+  std::vector<std::string> list = evaluator_parameters(config);
+  add_parameters(unit, list);
+  return list;
+}
+
+fs::path variant_library(const reference::EvalConfig& config, const reference::UnitConfig& unit) {
+  return library_of(wanted_unit(config, unit));
+}
+
+fs::path build_variant(const reference::EvalConfig& config, const reference::UnitConfig& unit,
+                       const Say& say) {
+  return build_wanted(wanted_unit(config, unit), say);
+}
+
+fs::path build_variant(const reference::EvalConfig& config, const Say& say) {
+  return build_wanted({"evaluator", evaluator_parameters(config)}, say);
+}
+
+void* find_in_library(const fs::path& library, const char* name) {
+  void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const symbol = handle ? dlsym(handle, name) : nullptr;
+  if (!symbol)
+    throw std::runtime_error(std::string("verilated RTL cannot be loaded: ") + dlerror());
+  return symbol;
 }
 
 }  // namespace ptm::testbench

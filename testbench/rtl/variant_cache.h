@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -8,9 +9,9 @@
 #include "model/reference/eval_config.h"
 #include "model/reference/unit/unit_config.h"
 
-/// Verilated units of any parameters: built when first asked for, and kept.
+/// Verilated units and evaluators of any parameters: built when first asked for, and kept.
 ///
-/// A unit is a library of its own that is loaded into the process that runs it. It is made of the
+/// Each is a library of its own that is loaded into the process that runs it. It is made of the
 /// sources that lie within this program (variant_build.h). Its key is made from its parameters, the
 /// content of those sources, and what compiles them, so that another program never meets a stale
 /// library. Libraries lie in $PTMSIM_CACHE, else $XDG_CACHE_HOME/ptmsim, else ~/.cache/ptmsim, else
@@ -31,7 +32,8 @@ class UnusableCache : public std::runtime_error {
   std::string folder, reason;
 };
 
-/// "Name=value" of every parameter of rtl/ptm_unit.sv.
+/// "Name=value" of every parameter of rtl/ptm_evaluator.sv, and of rtl/ptm_unit.sv.
+[[nodiscard]] std::vector<std::string> evaluator_parameters(const reference::EvalConfig& config);
 [[nodiscard]] std::vector<std::string> rtl_parameters(const reference::EvalConfig& config,
                                                       const reference::UnitConfig& unit);
 
@@ -39,11 +41,26 @@ class UnusableCache : public std::runtime_error {
 [[nodiscard]] std::filesystem::path variant_library(const reference::EvalConfig& config,
                                                     const reference::UnitConfig& unit);
 
-/// Builds the library if it is not there or damaged; `say` is told before that takes its minute. Of
-/// two programs that want the same one, one waits for the other. What programs that were killed
-/// left in the folder is removed. Throws ToolError and UnusableCache.
+/// Who is told what happens.
+using Say = std::function<void(const std::string&)>;
+
+/// Builds the library of a unit, or of an evaluator, if it is not there or damaged; `say` is told
+/// before that takes its minute. Of two programs that want the same one, one waits for the other.
+/// What programs that were killed left in the folder is removed. Throws ToolError and
+/// UnusableCache.
 std::filesystem::path build_variant(const reference::EvalConfig& config,
-                                    const reference::UnitConfig& unit,
-                                    const std::function<void(const std::string&)>& say = {});
+                                    const reference::UnitConfig& unit, const Say& say = {});
+std::filesystem::path build_variant(const reference::EvalConfig& config, const Say& say = {});
+
+/// The function of that name in a library, which is never closed. Throws std::runtime_error.
+[[nodiscard]] void* find_in_library(const std::filesystem::path& library, const char* name);
+
+/// What a library makes; `maker` names its function.
+template <class Rtl>
+[[nodiscard]] std::unique_ptr<Rtl> load_variant(const std::filesystem::path& library,
+                                                const char* maker) {
+  using Make = Rtl*();
+  return std::unique_ptr<Rtl>(reinterpret_cast<Make*>(find_in_library(library, maker))());
+}
 
 }  // namespace ptm::testbench

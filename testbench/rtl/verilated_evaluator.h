@@ -147,9 +147,11 @@ class RtlEvaluator {
   RtlTrace trace_pass(const RtlPins& pins);
 };
 
-/// The variant of that preset: "paper8", "base" or "wide". Throws std::invalid_argument that lists
-/// the names there are.
-[[nodiscard]] std::unique_ptr<RtlEvaluator> make_rtl_evaluator(std::string_view name);
+/// The evaluator of those parameters: one that comes with the build, else one that is built first
+/// and kept (variant_cache.h, whose exceptions it throws).
+[[nodiscard]] std::unique_ptr<RtlEvaluator> make_rtl_evaluator(const reference::EvalConfig& config);
+/// Whether it comes with the build.
+[[nodiscard]] bool has_rtl_evaluator(const reference::EvalConfig& config);
 
 /// The lerp of Eq. 14: both roundings, for 8-bit and for 16-bit stored values.
 class RtlLerp {

@@ -26,12 +26,12 @@ IntegerValues reference_values(const FlatJob& job, const RgbOperands<>& in) {
 
 /// The RTL's stage registers as the operands pass through them.
 IntegerValues rtl_values(const FlatJob& job, const LrgbOperands<>& in) {
-  const RtlTrace trace = make_rtl_evaluator(job.preset)->trace(in);
+  const RtlTrace trace = make_rtl_evaluator(job.config)->trace(in);
   return trace_values(reference::LrgbTrace<>{trace.luminance, trace.product, trace.color});
 }
 
 IntegerValues rtl_values(const FlatJob& job, const RgbOperands<>& in) {
-  const auto passes = make_rtl_evaluator(job.preset)->trace(in);
+  const auto passes = make_rtl_evaluator(job.config)->trace(in);
   reference::RgbTrace<> trace;
   for (std::size_t c = 0; c < 3; ++c) {
     trace.channel[c] = passes[c].luminance;

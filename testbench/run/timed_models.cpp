@@ -125,7 +125,7 @@ FrameResult stream_frame(RtlEvaluator& rtl, const FlatJob& job,
 }
 
 void simulate_rtl(const FlatJob& job, ResultFile& file) {
-  const auto rtl = make_rtl_evaluator(job.preset);
+  const auto rtl = make_rtl_evaluator(job.config);
   double seconds = 0;
   for (const golden::Light& light : job.lights) {
     const std::vector<Fragment> fragments = make_fragments(job, job.config, light);

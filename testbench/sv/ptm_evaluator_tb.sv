@@ -7,18 +7,7 @@
 // Every change of clk_i is one clock cycle: the rising edge of clk flips phase_q, which takes clk
 // back at once. So a cycle costs one evaluation of the Verilated model instead of two.
 module ptm_evaluator_tb #(
-  parameter int CoefBits     = 8,
-  parameter int DeltaBits    = 9,
-  parameter int LightInt     = 2,
-  parameter int LightFrac    = 8,
-  parameter int BasisFrac    = 8,
-  parameter int Guard        = 4,
-  parameter int RoundNearest = 1,
-  parameter int LumBits      = 10,
-  parameter int LumFrac      = 0,
-  parameter int ShiftMin     = -4,
-  parameter int ShiftGroups  = 6,
-  parameter int FilterFrac   = 0
+  `include "contract/ptm_evaluator_parameters.svh"
 ) (
   input  logic               clk_i,  // a cycle each time it changes
   input  logic               rst_ni,
@@ -47,6 +36,7 @@ module ptm_evaluator_tb #(
   localparam int LightW   = ptm_pkg::light_bits(LightInt, LightFrac);
   localparam int RgbW     = ptm_pkg::rgb_bits(FilterFrac);
   localparam int LumW     = ptm_pkg::lum_bits(LumBits, LumFrac);
+  localparam int ProbeW   = $bits(probe_o);
   localparam int ProductW = ptm_pkg::color_product_bits(LumBits, LumFrac, FilterFrac);
 
   logic clk, phase_q;
@@ -72,18 +62,8 @@ module ptm_evaluator_tb #(
   end
 
   ptm_evaluator #(
-    .CoefBits    (CoefBits),
-    .DeltaBits   (DeltaBits),
-    .LightInt    (LightInt),
-    .LightFrac   (LightFrac),
-    .BasisFrac   (BasisFrac),
-    .Guard       (Guard),
-    .RoundNearest(RoundNearest),
-    .LumBits     (LumBits),
-    .LumFrac     (LumFrac),
-    .ShiftMin    (ShiftMin),
-    .ShiftGroups (ShiftGroups),
-    .FilterFrac  (FilterFrac),
+    `include "contract/ptm_evaluator_map.svh"
+    ,
     .SidebandBits(32)
   ) u_dut (
     .clk_i            (clk),
@@ -196,18 +176,7 @@ module ptm_evaluator_tb #(
         8'd94: probe_o = 64'($bits(u_dut.r5_lum_q));
         8'd95: probe_o = 64'(ProductW);
         // Parameters, in order of rtl_parameters()
-        8'd128: probe_o = 64'(CoefBits);
-        8'd129: probe_o = 64'(DeltaBits);
-        8'd130: probe_o = 64'(LightInt);
-        8'd131: probe_o = 64'(LightFrac);
-        8'd132: probe_o = 64'(BasisFrac);
-        8'd133: probe_o = 64'(Guard);
-        8'd134: probe_o = 64'(RoundNearest);
-        8'd135: probe_o = 64'(LumBits);
-        8'd136: probe_o = 64'(LumFrac);
-        8'd137: probe_o = 64'(ShiftMin);
-        8'd138: probe_o = 64'(ShiftGroups);
-        8'd139: probe_o = 64'(FilterFrac);
+        `include "contract/ptm_evaluator_probe.svh"
         default: probe_o = 64'sd0;
       endcase
     end

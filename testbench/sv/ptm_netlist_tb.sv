@@ -5,12 +5,9 @@
 // +vectors=FILE is the CSV of an LRGB run without its header. Operands are offered with gaps and
 // pixels taken with stalls, both by $urandom. The last line says PASS or FAIL and counts.
 `timescale 1ns / 1ps
+// Its parameters are the evaluator's; ports depend on a few of them.
 module ptm_netlist_tb #(
-  parameter CoefBits  = 8,  // of the evaluator, as far as ports depend on them
-  parameter LightInt  = 2,
-  parameter LightFrac = 8,
-  parameter LumBits   = 10,
-  parameter LumFrac   = 0
+  `include "contract/ptm_evaluator_parameters.svh"
 );
   localparam LightW = LightInt + LightFrac;
   localparam LumW   = LumBits + LumFrac;

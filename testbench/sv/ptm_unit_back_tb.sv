@@ -3,22 +3,7 @@
 //
 // draw_i chooses the draw whose descriptor the draw_* pins show while view_i is high.
 module ptm_unit_back_tb #(
-  parameter int CoefBits         = 8,
-  parameter int DeltaBits        = 9,
-  parameter int LightInt         = 2,
-  parameter int LightFrac        = 8,
-  parameter int BasisFrac        = 8,
-  parameter int Guard            = 4,
-  parameter int RoundNearest     = 1,
-  parameter int LumBits          = 10,
-  parameter int LumFrac          = 0,
-  parameter int ShiftMin         = -4,
-  parameter int ShiftGroups      = 6,
-  parameter int FilterFrac       = 0,
-  parameter int Tmus             = 3,
-  parameter int PaletteLrgbPorts = 4,
-  parameter int PaletteRgbPorts  = 1,
-  parameter int EvalLanes        = 1
+  `include "contract/ptm_unit_back_parameters.svh"
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -208,11 +193,7 @@ module ptm_unit_back_tb #(
   assign inc_combine_o            = 8'(inc_combine);
   assign inc_eval_o               = 8'(inc_eval);
   ptm_unit_back #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
-    .EvalLanes(EvalLanes)
+    `include "contract/ptm_unit_back_map.svh"
   ) u_dut (
     .effects_i(effects), .table_we_i(table_we), .table_addr_i(table_addr),
     .table_data_i(table_data), .hu_i('0), .hv_i('0), .o_leaves_o(leaves),

@@ -7,32 +7,7 @@
 // Every change of clk_i is one clock cycle: the rising edge of clk flips phase_q, which takes clk
 // back at once. So a cycle costs one evaluation of the Verilated model instead of two.
 module ptm_unit_tb #(
-  parameter int CoefBits         = 8,
-  parameter int DeltaBits        = 9,
-  parameter int LightInt         = 2,
-  parameter int LightFrac        = 8,
-  parameter int BasisFrac        = 8,
-  parameter int Guard            = 4,
-  parameter int RoundNearest     = 1,
-  parameter int LumBits          = 10,
-  parameter int LumFrac          = 0,
-  parameter int ShiftMin         = -4,
-  parameter int ShiftGroups      = 6,
-  parameter int FilterFrac       = 0,
-  parameter int Tmus             = 3,
-  parameter int CacheKib         = 16,
-  parameter int Ways             = 2,
-  parameter int FragmentFifo     = 192,
-  parameter int MissFifo         = 64,
-  parameter int PaletteLrgbPorts = 4,
-  parameter int PaletteRgbPorts  = 1,
-  parameter int EvalLanes        = 1,
-  parameter int HalfVector       = 0,
-  parameter int ExtraSets        = 0,
-  parameter int ExtraPasses      = 0,
-  parameter int Stages           = 0,
-  parameter int Counters         = 1,
-  parameter int DuplicateLines   = 1
+  `include "contract/ptm_unit_parameters.svh"
 ) (
   input  logic               clk_i,  // a cycle each time it changes
   input  logic               rst_ni,
@@ -89,14 +64,7 @@ module ptm_unit_tb #(
   assign pix_y_o        = 16'(y);
 
   ptm_unit #(
-    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
-    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
-    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
-    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
-    .MissFifo(MissFifo), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
-    .EvalLanes(EvalLanes), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
-    .ExtraPasses(ExtraPasses), .Stages(Stages), .Counters(Counters),
-    .DuplicateLines(DuplicateLines)
+    `include "contract/ptm_unit_map.svh"
   ) u_dut (
     .clk_i                (clk),
     .rst_ni               (rst_ni),
@@ -141,6 +109,8 @@ module ptm_unit_tb #(
     .pix_mem_error_o      (pix_mem_error_o)
   );
 
+  localparam int ProbeW = $bits(probe_o);
+
   // The miss ring's oldest line
   localparam int RingRows    = (MissFifo + 3) / 4;
   localparam int RingRowBits = RingRows == 1 ? 1 : $clog2(RingRows);
@@ -171,32 +141,7 @@ module ptm_unit_tb #(
         8'd4: probe_o = 32'({head_row, head_bank});
         8'd5: probe_o = 32'(head_line[head_bank]);
         // Parameters, in order of rtl_parameters() and of UnitConfig
-        8'd128: probe_o = 32'(CoefBits);
-        8'd129: probe_o = 32'(DeltaBits);
-        8'd130: probe_o = 32'(LightInt);
-        8'd131: probe_o = 32'(LightFrac);
-        8'd132: probe_o = 32'(BasisFrac);
-        8'd133: probe_o = 32'(Guard);
-        8'd134: probe_o = 32'(RoundNearest);
-        8'd135: probe_o = 32'(LumBits);
-        8'd136: probe_o = 32'(LumFrac);
-        8'd137: probe_o = 32'(ShiftMin);
-        8'd138: probe_o = 32'(ShiftGroups);
-        8'd139: probe_o = 32'(FilterFrac);
-        8'd140: probe_o = 32'(Tmus);
-        8'd141: probe_o = 32'(CacheKib);
-        8'd142: probe_o = 32'(Ways);
-        8'd143: probe_o = 32'(FragmentFifo);
-        8'd144: probe_o = 32'(MissFifo);
-        8'd145: probe_o = 32'(PaletteLrgbPorts);
-        8'd146: probe_o = 32'(PaletteRgbPorts);
-        8'd147: probe_o = 32'(EvalLanes);
-        8'd148: probe_o = 32'(ExtraSets);
-        8'd149: probe_o = 32'(ExtraPasses);
-        8'd150: probe_o = 32'(HalfVector);
-        8'd151: probe_o = 32'(Stages);
-        8'd152: probe_o = 32'(Counters);
-        8'd153: probe_o = 32'(DuplicateLines);
+        `include "contract/ptm_unit_probe.svh"
         default: probe_o = 32'd0;
       endcase
     end

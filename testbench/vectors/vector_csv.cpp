@@ -123,7 +123,7 @@ void write_pixels(const VectorRequest& request, const reference::EvalConfig& con
   const std::function<const Operands&(std::uint64_t)> source =
       [&](std::uint64_t n) -> const Operands& { return operands = vector(n); };
   if (request.model == "rtl") {
-    stream_rtl(*make_rtl_evaluator(request.preset), request.count, source,
+    stream_rtl(*make_rtl_evaluator(config), request.count, source,
                [&](std::uint64_t n, const RtlPixel& pixel, std::uint64_t) {
                  write_row(row, vector(n), pixel);
                });
@@ -147,7 +147,8 @@ void write_lerps(const VectorRequest& request, const reference::EvalConfig& conf
     row.add(in.a);
     row.add(in.b);
     row.add(in.f);
-    row.add(rtl ? (*rtl)(config.rounding, config.coef_bits + config.filter_frac,
+    // The RTL is built for 8 and for 16 bits, and the wider one computes the same of fewer.
+    row.add(rtl ? (*rtl)(config.rounding, config.coef_bits + config.filter_frac <= 8 ? 8 : 16,
                          static_cast<unsigned>(in.a), static_cast<unsigned>(in.b),
                          static_cast<unsigned>(in.f))
                 : reference::lerp(config.rounding, in.a, in.b, in.f));
@@ -172,7 +173,7 @@ std::string vector_header(VectorKind kind) {
 }
 
 void write_vectors(const VectorRequest& request, std::ostream& out) {
-  const reference::EvalConfig config = reference::find_preset(request.preset).config;
+  const reference::EvalConfig& config = request.config;
   out << vector_header(request.kind) << '\n';
   switch (request.kind) {
     case VectorKind::lrgb:

@@ -3,12 +3,14 @@
 #include <iosfwd>
 #include <string>
 
+#include "model/reference/eval_config.h"
+
 namespace ptm::testbench {
 
 enum class VectorKind : std::uint8_t { lrgb, rgb, lerp };
 
 struct VectorRequest {
-  std::string preset = "base";
+  reference::EvalConfig config;
   std::string model = "reference";  ///< reference, rtl or pipeline
   VectorKind kind = VectorKind::lrgb;
   std::uint64_t count = 1000;

@@ -94,7 +94,7 @@ TEST(Contract, RefusesATableWithTheFileAndTheLine) {
             "default: found 'up', which is no choice"},
            {"parameters.toml", "default = 9", "default = 9 9", ""},
            {"variants.toml", "kind = \"evaluator\"", "kind = \"evaluators\"",
-            "kind: found 'evaluators', expected evaluator, unit or back"},
+            "kind: found 'evaluators', expected evaluator, unit, back or netlist"},
        }) {
     const ScratchFolder scratch;
     const fs::path tables = changed_tables(scratch, c.table, c.from, c.to);

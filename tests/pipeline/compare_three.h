@@ -36,7 +36,7 @@ Differences compare_three(const reference::Preset& preset, std::uint64_t count,
         found.rtl_values += pixel == expected(n) ? 0U : 1U;
         taken[n] = cycle;
       };
-  const auto rtl = testbench::make_rtl_evaluator(preset.name);
+  const auto rtl = testbench::make_rtl_evaluator(preset.config);
   testbench::RtlCounters counters;
   if constexpr (std::is_same_v<Operands, reference::LrgbOperands<>>) {
     counters = rtl->stream_lrgb(count, timing, source, from_rtl);

@@ -40,12 +40,12 @@ SteppedUnit::Tap SteppedUnit::make_tap(const Draw& draw, const Word& word, const
   const int tx = i / 4, ty = j / 4;
   tap.bank = static_cast<std::size_t>(ty % 2 * 2 + tx % 2);
   int k = 0;
-  while ((1 << k) < unit_.sets()) ++k;
+  while ((1 << k) < reference::cache_sets(unit_)) ++k;
   const int kx = (k + 1) / 2, ky = k - kx;
   const int x = tx / 2, y = ty / 2;
   const int place = (y % (1 << ky)) * (1 << kx) + x % (1 << kx);
   const int other = word.plane + 3 * at.level + 5 * word.texture + x / (1 << kx) + y / (1 << ky);
-  tap.set = static_cast<std::size_t>((place ^ other) % unit_.sets());
+  tap.set = static_cast<std::size_t>((place ^ other) % reference::cache_sets(unit_));
   return tap;
 }
 

@@ -26,7 +26,8 @@ SteppedUnit::SteppedUnit(const reference::UnitConfig& unit, const std::vector<Dr
 void SteppedUnit::begin(bool keep_cache) {
   if (!keep_cache) {
     const std::vector<Way> ways(static_cast<std::size_t>(unit_.ways));
-    const std::vector<std::vector<Way>> sets(static_cast<std::size_t>(unit_.sets()), ways);
+    const std::vector<std::vector<Way>> sets(static_cast<std::size_t>(reference::cache_sets(unit_)),
+                                             ways);
     cache_.assign(static_cast<std::size_t>(unit_.tmus), {sets, sets, sets, sets});
   }
   memory_.reset();

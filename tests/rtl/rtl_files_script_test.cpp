@@ -46,7 +46,7 @@ TEST_F(RtlFilesScript, NamesEveryFileOnceAndTheTopLast) {
   }
   EXPECT_EQ(names.back(), "rtl/ptm_unit.sv");
   std::vector<std::string> there;
-  for (const std::string folder : {"/rtl", "/rtl/effects"}) {
+  for (const std::string folder : {"/rtl", "/rtl/contract", "/rtl/effects"}) {
     for (const auto& entry : std::filesystem::directory_iterator(PTM_SOURCE_DIR + folder)) {
       if (entry.path().extension() != ".sv") continue;
       there.push_back(std::filesystem::relative(entry.path(), PTM_SOURCE_DIR).string());

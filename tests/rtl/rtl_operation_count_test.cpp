@@ -48,8 +48,8 @@ std::string write_top(const std::string& top, const std::string& json) {
 std::string yosys_script(const EvalConfig& config, const std::string& json) {
   std::string script = read_all() + "; chparam";
   for (const NamedParameter& parameter : rtl_parameters(config)) {
-    script +=
-        " -set " + std::string(parameter.name) + ' ' + testbench::yosys_integer(parameter.value);
+    script += " -set " + std::string(parameter.name) + ' ' +
+              testbench::yosys_integer(static_cast<int>(parameter.value));
   }
   return script + " ptm_evaluator" + write_top("ptm_evaluator", json);
 }

@@ -213,7 +213,9 @@ class UnitParameters : public testing::TestWithParam<Set> {};
 /// Icarus Verilog 11 does not read the unit's sources, and Yosys takes a second for them: both are
 /// asked about the module that ptm_unit hands its parameters to, which Verilator shows it does.
 TEST_P(UnitParameters, StopElaborationWhereTheyAreIllegalAndNowhereElse) {
-  const std::string files = " rtl/ptm_evaluator_parameters.sv rtl/ptm_unit_parameters.sv";
+  const std::string files =
+      " rtl/contract/ptm_evaluator_parameters.sv "
+      "rtl/contract/ptm_unit_parameters.sv";
   expect("Verilator", verilator("ptm_unit", "-f rtl/files.f -f rtl/unit.f", GetParam()),
          GetParam());
   expect("Yosys", yosys("ptm_unit_parameters", files, GetParam()), GetParam());

@@ -7,11 +7,9 @@
 namespace ptm::tests {
 namespace {
 
-const testbench::RtlUnitVariant kLarge{
-    "large",
-    {.filter_frac = 4},
-    {.cache_kib = 64, .ways = 4, .fragment_fifo = 1024, .miss_fifo = 256},
-    testbench::make_rtl_unit_large};
+const testbench::RtlUnitVariant kLarge{"large", testbench::variants::unit_large_evaluator,
+                                       testbench::variants::unit_large_unit,
+                                       testbench::make_rtl_unit_large};
 
 class RtlLargeUnitExact : public testing::TestWithParam<Condition> {};
 

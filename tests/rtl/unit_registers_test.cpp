@@ -5,6 +5,8 @@
 #include <map>
 
 #include "model/reference/unit/register_map.h"
+#include "testbench/rtl/unit_probe.h"
+#include "testbench/rtl/variant_cache.h"
 #include "tests/rtl/unit_runs.h"
 
 namespace ptm::tests {
@@ -44,6 +46,17 @@ class RtlUnitPort : public testing::TestWithParam<testbench::RtlUnitVariant> {
  protected:
   std::unique_ptr<testbench::RtlUnit> unit_ = GetParam().make();
 };
+
+TEST_P(RtlUnitPort, IsBuiltWithTheParametersOfItsConfiguration) {
+  std::uint8_t number = testbench::unit_probe::kParameters;
+  for (const std::string& parameter :
+       testbench::rtl_parameters(GetParam().config, GetParam().unit)) {
+    const int value = static_cast<int>(unit_->probe(number++));
+    const std::size_t at = parameter.find('=');
+    EXPECT_EQ(value, std::stoi(parameter.substr(at + 1))) << parameter;
+  }
+  EXPECT_EQ(number - testbench::unit_probe::kParameters, 26);
+}
 
 TEST_P(RtlUnitPort, ReadsAsZeroAfterResetButForWhatTheUnitSaysOfItself) {
   for (int round = 0; round < 2; ++round) {

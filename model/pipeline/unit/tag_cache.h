@@ -20,7 +20,7 @@ struct TilePlace {
 class SetMap {
  public:
   explicit SetMap(const reference::UnitConfig& unit)
-      : sets_(static_cast<std::uint32_t>(unit.sets())) {
+      : sets_(static_cast<std::uint32_t>(reference::cache_sets(unit))) {
     const int k = std::countr_zero(sets_);
     bits_x_ = (k + 1) / 2;
     bits_y_ = k - bits_x_;

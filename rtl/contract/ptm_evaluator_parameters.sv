@@ -1,21 +1,12 @@
 // What the parameters of ptm_evaluator may be: docs/spec/datapath.md, Parameters. Nothing else.
 //
 // A module of its own, so that a tool which does not read the unit (Icarus Verilog 11) can be asked
-// too. Twin: validate() in model/reference/eval_config.cpp.
+// too.
+// Written by scripts/contract from contract/parameters.toml; change it there.
 `include "ptm_assert.svh"
 module ptm_evaluator_parameters #(
-  parameter int CoefBits     = 8,
-  parameter int DeltaBits    = 9,
-  parameter int LightInt     = 2,
-  parameter int LightFrac    = 8,
-  parameter int BasisFrac    = 8,
-  parameter int Guard        = 4,
-  parameter int RoundNearest = 1,
-  parameter int LumBits      = 10,
-  parameter int LumFrac      = 0,
-  parameter int ShiftMin     = -4,
-  parameter int ShiftGroups  = 6,
-  parameter int FilterFrac   = 0,
+`include "contract/ptm_evaluator_parameters.svh"
+  ,
   parameter int Assemble     = 1,
   parameter int SidebandBits = 32
 ) ();

@@ -1,0 +1,7 @@
+// Written by scripts/contract from contract/parameters.toml; change it there.
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .Tmus(Tmus), .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts),
+    .EvalLanes(EvalLanes), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses),
+    .HalfVector(HalfVector), .Stages(Stages)

@@ -1,0 +1,3 @@
+// Written by scripts/contract from contract/parameters.toml; change it there.
+    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo), .MissFifo(MissFifo),
+    .ExtraSets(ExtraSets), .Stages(Stages), .Counters(Counters), .DuplicateLines(DuplicateLines)

@@ -1,0 +1,8 @@
+// Written by scripts/contract from contract/parameters.toml; change it there.
+    .CoefBits(CoefBits), .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac),
+    .BasisFrac(BasisFrac), .Guard(Guard), .RoundNearest(RoundNearest), .LumBits(LumBits),
+    .LumFrac(LumFrac), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups), .FilterFrac(FilterFrac),
+    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo), .MissFifo(MissFifo),
+    .PaletteLrgbPorts(PaletteLrgbPorts), .PaletteRgbPorts(PaletteRgbPorts), .EvalLanes(EvalLanes),
+    .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .HalfVector(HalfVector), .Stages(Stages),
+    .Counters(Counters), .DuplicateLines(DuplicateLines)

@@ -1,0 +1,27 @@
+// Written by scripts/contract from contract/parameters.toml; change it there.
+        8'd128: probe_o = ProbeW'(CoefBits);
+        8'd129: probe_o = ProbeW'(DeltaBits);
+        8'd130: probe_o = ProbeW'(LightInt);
+        8'd131: probe_o = ProbeW'(LightFrac);
+        8'd132: probe_o = ProbeW'(BasisFrac);
+        8'd133: probe_o = ProbeW'(Guard);
+        8'd134: probe_o = ProbeW'(RoundNearest);
+        8'd135: probe_o = ProbeW'(LumBits);
+        8'd136: probe_o = ProbeW'(LumFrac);
+        8'd137: probe_o = ProbeW'(ShiftMin);
+        8'd138: probe_o = ProbeW'(ShiftGroups);
+        8'd139: probe_o = ProbeW'(FilterFrac);
+        8'd140: probe_o = ProbeW'(Tmus);
+        8'd141: probe_o = ProbeW'(CacheKib);
+        8'd142: probe_o = ProbeW'(Ways);
+        8'd143: probe_o = ProbeW'(FragmentFifo);
+        8'd144: probe_o = ProbeW'(MissFifo);
+        8'd145: probe_o = ProbeW'(PaletteLrgbPorts);
+        8'd146: probe_o = ProbeW'(PaletteRgbPorts);
+        8'd147: probe_o = ProbeW'(EvalLanes);
+        8'd148: probe_o = ProbeW'(ExtraSets);
+        8'd149: probe_o = ProbeW'(ExtraPasses);
+        8'd150: probe_o = ProbeW'(HalfVector);
+        8'd151: probe_o = ProbeW'(Stages);
+        8'd152: probe_o = ProbeW'(Counters);
+        8'd153: probe_o = ProbeW'(DuplicateLines);
