@@ -223,7 +223,8 @@ void define_table(const Config& config, Text& text) {
   text.line();
   text.line("std::optional<ParameterFault> " + table + "fault(const " + type + "& c) {");
   text.line("  const auto whole = [](auto value) { return static_cast<std::int64_t>(value); };");
-  for (const Parameter& p : config.parameters) {
+  for (const Parameter* checked : config.checked()) {
+    const Parameter& p = *checked;
     const std::string check = check_of(p);
     if (!check.empty()) text.line("  if (auto wrong = " + check + ") return wrong;");
     if (p.rule.empty()) continue;

@@ -172,8 +172,8 @@ std::string evaluator_module(const Parameters& all) {
   text.line("  parameter int Assemble     = 1,");
   text.line("  parameter int SidebandBits = 32");
   text.line(") ();");
-  for (const Parameter& p : config.parameters) {
-    for (const Requirement& r : requirements_of(config, p)) write_requirement(r, text);
+  for (const Parameter* p : config.checked()) {
+    for (const Requirement& r : requirements_of(config, *p)) write_requirement(r, text);
   }
   write_requirement({"Assemble_not_0_or_1", "Assemble == 0 || Assemble == 1"}, text);
   write_requirement({"SidebandBits_not_1_or_more", "SidebandBits >= 1"}, text);
@@ -203,8 +203,8 @@ std::string unit_module(const Parameters& all) {
     const std::string most = std::to_string(limit.most);
     write_requirement({rtl + "_above_" + most + "_in_a_unit", rtl + " <= " + most}, text);
   }
-  for (const Parameter& p : config.parameters) {
-    for (const Requirement& r : requirements_of(config, p)) write_requirement(r, text);
+  for (const Parameter* p : config.checked()) {
+    for (const Requirement& r : requirements_of(config, *p)) write_requirement(r, text);
   }
   text.line("endmodule");
   return text.str();

@@ -187,6 +187,17 @@ bool Parameter::in(std::string_view module) const {
   return std::find(modules.begin(), modules.end(), module) != modules.end();
 }
 
+std::vector<std::string> Parameter::names() const {
+  std::vector<std::string> all;
+  for (const std::string& expression : {low, high, most, needs, rule}) {
+    (void)with_names(expression, [&](const std::string& found) {
+      if (found != name) all.push_back(found);
+      return found;
+    });
+  }
+  return all;
+}
+
 std::int64_t Parameter::in_preset(const std::string& preset) const {
   const auto found = presets.find(preset);
   return found == presets.end() ? value : found->second;
@@ -202,6 +213,25 @@ const Parameter* Config::find(std::string_view wanted) const {
   const auto found = std::find_if(parameters.begin(), parameters.end(),
                                   [&](const Parameter& p) { return p.name == wanted; });
   return found == parameters.end() ? nullptr : &*found;
+}
+
+std::vector<const Parameter*> Config::checked() const {
+  std::vector<const Parameter*> order;
+  const auto placed = [&](const std::string& wanted) {
+    return std::any_of(order.begin(), order.end(),
+                       [&](const Parameter* p) { return p->name == wanted; });
+  };
+  while (order.size() < parameters.size()) {
+    const auto next = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) {
+      const std::vector<std::string> named = p.names();
+      return !placed(p.name) && std::all_of(named.begin(), named.end(), placed);
+    });
+    if (next == parameters.end()) {
+      throw TableError("parameters.toml: ranges of " + name + " lead back to themselves");
+    }
+    order.push_back(&*next);
+  }
+  return order;
 }
 
 std::int64_t Variant::value(const Parameter& parameter) const {

@@ -28,6 +28,8 @@ struct Parameter {
   [[nodiscard]] bool in(std::string_view module) const;
   /// The value in the preset.
   [[nodiscard]] std::int64_t in_preset(const std::string& preset) const;
+  /// Names in its range, its needs and its rule.
+  [[nodiscard]] std::vector<std::string> names() const;
   /// As people write it: a word of a choice, true or false of a flag.
   [[nodiscard]] std::string word(std::int64_t value) const;
 };
@@ -37,6 +39,9 @@ struct Config {
   std::string name, type, space, header, meaning;
   std::vector<Parameter> parameters;
   [[nodiscard]] const Parameter* find(std::string_view name) const;
+  /// In the order in which they are checked: what a range names comes before it, so that of two
+  /// that are wrong the cause is told.
+  [[nodiscard]] std::vector<const Parameter*> checked() const;
 };
 
 /// In the whole unit a parameter of the evaluator is at most so much.

@@ -24,9 +24,9 @@ module ptm_unit_parameters #(
   `PTM_REQUIRE(ptm_illegal_PaletteRgbPorts_not_1_2_or_4,
                PaletteRgbPorts == 1 || PaletteRgbPorts == 2 || PaletteRgbPorts == 4)
   `PTM_REQUIRE(ptm_illegal_EvalLanes_not_1_or_3, EvalLanes == 1 || EvalLanes == 3)
+  `PTM_REQUIRE(ptm_illegal_ExtraPasses_not_0_to_4, ExtraPasses >= 0 && ExtraPasses <= 4)
   `PTM_REQUIRE(ptm_illegal_ExtraSets_not_0_to_ExtraPasses,
                ExtraSets >= 0 && ExtraSets <= 4 && ExtraSets <= ExtraPasses)
-  `PTM_REQUIRE(ptm_illegal_ExtraPasses_not_0_to_4, ExtraPasses >= 0 && ExtraPasses <= 4)
   `PTM_REQUIRE(ptm_illegal_HalfVector_not_0_or_1, HalfVector == 0 || HalfVector == 1)
   `PTM_REQUIRE(ptm_illegal_HalfVector_without_ExtraPasses, HalfVector == 0 || ExtraPasses != 0)
   `PTM_REQUIRE(ptm_illegal_Stages_not_a_mask_of_8_bits, Stages >= 0 && Stages <= 255)
