@@ -35,18 +35,6 @@ void read_lights(const Reader& reader, const toml::node& node, Scene& scene) {
   }
 }
 
-void read_hardware(const Reader& reader, const toml::node& node, Scene& scene) {
-  const toml::table& hardware = reader.table(node, "hardware");
-  reader.only(hardware, "hardware.", {"preset", "tmus"});
-  if (const toml::node* preset = hardware.get("preset")) {
-    scene.preset = reader.text(*preset, "hardware.preset");
-    scene.preset_place = Reader::place(*preset, "hardware.preset");
-  }
-  if (const toml::node* tmus = hardware.get("tmus")) {
-    scene.tmus = static_cast<int>(reader.integer(*tmus, "hardware.tmus", 1, 3));
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> read_models(const Reader& reader, const toml::node* node) {
@@ -88,7 +76,9 @@ Scene read_scene(const std::filesystem::path& path) {
     throw InputError(path.string(), "the file", "no [[light]]",
                      "at least one [[light]] with direction = [lu, lv]");
   }
-  if (const toml::node* hardware = root.get("hardware")) read_hardware(reader, *hardware, scene);
+  if (const toml::node* hardware = root.get("hardware")) {
+    scene.hardware = read_settings({reader, reader.table(*hardware, "hardware"), "hardware."});
+  }
   scene.models = read_models(reader, root.get("models"));
   return scene;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "golden/files/input_error.h"
+#include "golden/scene/setting.h"
 
 namespace ptm::golden {
 
@@ -21,17 +22,15 @@ struct Scene {
   std::filesystem::path map;               ///< resolved against the scene's folder
   std::optional<std::array<int, 2>> size;  ///< picture's width and height; the map's if absent
   std::vector<Light> lights;               ///< at least one; one frame each
-  std::string preset = "base";             ///< of the evaluator
-  std::string preset_place;                ///< where the scene says it
-  int tmus = 3;                            ///< texture units that fetch words side by side, 1..3
+  Settings hardware;                       ///< testbench/config/configuration.h reads them
   std::vector<std::string> models;         ///< all four if the scene names none
 };
 
 inline constexpr std::array<const char*, 4> kModels{"golden", "reference", "pipeline", "rtl"};
 inline constexpr int kLargestPicture = 16384;  ///< pixels a side
 
-/// Reads a scene. Unknown keys, wrong types and values out of range throw InputError with the
-/// line.
+/// Reads a scene. Unknown keys but of [hardware], wrong types and values out of range throw
+/// InputError with the line.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path);
 
 }  // namespace ptm::golden

@@ -34,8 +34,8 @@ inline constexpr std::array<std::pair<std::string_view, ShapeKind>, 3> kShapeNam
 [[nodiscard]] std::vector<EffectSpec> read_effects(const TableReader& object,
                                                    const std::vector<TextureSpec>& textures);
 
-[[nodiscard]] HardwareSpec read_hardware_spec(const TableReader& table);
-[[nodiscard]] MemorySpec read_memory(const TableReader& table);
+/// [hardware] or [memory], as it stands.
+[[nodiscard]] Settings read_settings(const TableReader& table);
 [[nodiscard]] StressSpec read_stress(const TableReader& table);
 
 }  // namespace ptm::golden

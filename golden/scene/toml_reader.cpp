@@ -11,25 +11,6 @@
 namespace ptm::golden {
 namespace {
 
-std::string kind_of(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "an array";
-    case toml::node_type::string:
-      return "a string";
-    case toml::node_type::integer:
-      return "an integer";
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "a boolean";
-    default:
-      return "a date or time";
-  }
-}
-
 std::string shown(double value) {
   std::ostringstream text;
   text << value;
@@ -77,6 +58,25 @@ toml::table parse_toml(const std::filesystem::path& path) {
                      "line " + std::to_string(problem.source().begin.line) + ", column " +
                          std::to_string(problem.source().begin.column),
                      std::string(problem.description()), "TOML");
+  }
+}
+
+std::string Reader::kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    default:
+      return "a date or time";
   }
 }
 

@@ -24,6 +24,8 @@ class Reader {
 
   /// "line 12 (light[0].direction)"
   [[nodiscard]] static std::string place(const toml::node& node, const std::string& key);
+  /// "an integer", "a table"
+  [[nodiscard]] static std::string kind_of(const toml::node& node);
   [[noreturn]] void fail(const toml::node& node, const std::string& key, const std::string& found,
                          const std::string& expected) const;
   /// Refuses keys that are not among `known`.
@@ -97,6 +99,11 @@ class TableReader {
       names += (names.empty() ? "" : ", ") + std::string(choice);
     }
     fail(key, "'" + found + "'", "one of " + names);
+  }
+  /// Calls f(key, where it stands, value) for each key, in the order of names.
+  template <class F>
+  void each(F&& f) const {
+    for (const auto& [key, node] : *table_) f(key.str(), key.source(), node);
   }
   /// A table within this one.
   [[nodiscard]] TableReader table(std::string_view key) const;

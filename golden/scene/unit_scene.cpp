@@ -156,8 +156,8 @@ UnitScene read_unit_scene(const std::filesystem::path& path) {
   read_textures(reader, root, scene);
   read_objects(reader, root, scene);
   read_lights(reader, root, scene);
-  if (top.has("hardware")) scene.hardware = read_hardware_spec(top.table("hardware"));
-  if (top.has("memory")) scene.memory = read_memory(top.table("memory"));
+  if (top.has("hardware")) scene.hardware = read_settings(top.table("hardware"));
+  if (top.has("memory")) scene.memory = read_settings(top.table("memory"));
   if (top.has("stress")) scene.stress = read_stress(top.table("stress"));
   top.read("keep_cache", scene.keep_cache);
   top.read("draw_twice", scene.draw_twice);

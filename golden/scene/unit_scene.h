@@ -9,6 +9,7 @@
 
 #include "golden/files/input_error.h"
 #include "golden/files/ptm_map.h"
+#include "golden/scene/setting.h"
 #include "golden/scene/shape.h"
 
 /// A scene for the whole texture unit, as its TOML file says it; docs/spec/scene.md has every key
@@ -132,33 +133,6 @@ struct LightSpec {
   std::string place;
 };
 
-struct HardwareSpec {
-  std::string preset = "base";
-  std::string preset_place;
-  std::string place;  ///< of [hardware]
-  int tmus = 3;
-  int cache_kib = 16, ways = 2;
-  int fragment_fifo = 192, miss_fifo = 64;
-  std::optional<int> shift_groups;  ///< 3 or 6; the preset's if absent
-  int palette_lrgb_ports = 4, palette_rgb_ports = 1;
-  int eval_lanes = 1;
-  bool counters = true, duplicate_lines = true;  ///< the latter needs the former
-};
-
-enum class MemoryKind : std::uint8_t { fixed, dram, random };
-/// Cycles of the unit's clock, unless said otherwise.
-struct MemorySpec {
-  MemoryKind kind = MemoryKind::fixed;
-  int latency = 100, interval = 4;          ///< fixed
-  std::uint64_t seed = 1;                   ///< random
-  int latency_min = 20, latency_max = 200;  ///< random
-  int banks = 8, page_lines = 32;           ///< dram; a page in lines of 64 bytes
-  int t_rcd = 14, t_rp = 14, cl = 14, t_ras = 34;
-  int t_refi = 7800, t_rfc = 260;
-  int burst = 4;      ///< data bus cycles a line
-  int overhead = 20;  ///< from the unit to the device and back
-};
-
 /// Random gaps at the input and stalls at the output: in how many of 256 cycles.
 struct StressSpec {
   int input_gap = 0, output_stall = 0;
@@ -176,8 +150,7 @@ struct UnitScene {
   std::vector<ObjectSpec> objects;  ///< at least one
   std::vector<DrawSpec> draws;      ///< 1..kMostDraws
   std::vector<LightSpec> lights;    ///< at least one; a frame each
-  HardwareSpec hardware;
-  MemorySpec memory;
+  Settings hardware, memory;        ///< testbench/config/configuration.h reads them
   StressSpec stress;
   bool keep_cache = false;          ///< caches keep their lines from frame to frame
   bool draw_twice = false;          ///< every frame is drawn twice and the second time counts
@@ -188,9 +161,9 @@ struct UnitScene {
 /// read_scene(). Throws InputError if it is no TOML.
 [[nodiscard]] bool is_unit_scene(const std::filesystem::path& path);
 
-/// Reads a unit scene. Unknown keys, keys that mean nothing where they stand, wrong types, values
-/// out of range, names of no texture and more than kMostDraws draws throw InputError with the
-/// line. Files that the scene names are not opened yet.
+/// Reads a unit scene. Unknown keys but of [hardware] and [memory], keys that mean nothing where
+/// they stand, wrong types, values out of range, names of no texture and more than kMostDraws draws
+/// throw InputError with the line. Files that the scene names are not opened yet.
 [[nodiscard]] UnitScene read_unit_scene(const std::filesystem::path& path);
 
 }  // namespace ptm::golden

@@ -13,6 +13,7 @@
 #include "golden/files/picture_header.h"
 #include "golden/files/ptm_file.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
 #include "testbench/program/figures.h"
@@ -30,7 +31,8 @@ struct BumpOptions {
   std::string input, out;
   bool height = false, normals = false, green_down = false, json = false;
   std::optional<double> strength;
-  std::string domain = "hemisphere", preset = "base";
+  std::string domain = "hemisphere";
+  ConfigOptions config;
 };
 
 const std::map<std::string, golden::BumpDomain> domains{
@@ -65,13 +67,13 @@ Json describe(const golden::BumpError& error) {
 }
 
 Json bump(const BumpOptions& options) {
+  const reference::EvalConfig config = file_config_of(options.config);
   const golden::NormalField field = read_field(options);
   const std::vector<double> coef =
       golden::bump_coefficients(field, golden::NormalTable(domains.at(options.domain)));
   const quantize::StoredMap stored = quantize::quantize(
-      {.width = field.width, .height = field.height, .polynomials = 1, .coef = coef},
-      reference::find_preset(options.preset).config, quantize::Method::nearest_plane,
-      quantize::hemisphere_gram());
+      {.width = field.width, .height = field.height, .polynomials = 1, .coef = coef}, config,
+      quantize::Method::nearest_plane, quantize::hemisphere_gram());
   std::vector<std::uint8_t> white(field.normals.size() * 3, 255);
   auto notes = field.notes;
   const auto written =
@@ -82,7 +84,7 @@ Json bump(const BumpOptions& options) {
           {"height", field.height},
           {"from", options.normals ? "normals" : "height"},
           {"domain", options.domain},
-          {"preset", options.preset},
+          {"preset", name_of(config)},
           {"real", describe(golden::measure_bump(field, coef))},
           {"stored", describe(golden::measure_bump(field, quantize::dequantize(stored)))},
           {"quantization_rms", stored.rms_error},
@@ -125,11 +127,7 @@ void add_bump_command(CLI::App& app) {
   command->add_option("--domain", options->domain, "what the polynomials are fitted over")
       ->capture_default_str()
       ->check(CLI::IsMember({"hemisphere", "disc", "square"}));
-  std::vector<std::string> presets;
-  for (const reference::Preset& preset : reference::kPresets) presets.emplace_back(preset.name);
-  command->add_option("--preset", options->preset, "hardware that is to hold the map")
-      ->capture_default_str()
-      ->check(CLI::IsMember(presets));
+  add_config_options(*command, options->config);
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options] {
     const Json out = bump(*options);

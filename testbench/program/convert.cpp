@@ -19,6 +19,7 @@
 #include "model/quantize/mip.h"
 #include "testbench/compare/lit_difference.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
 #include "testbench/program/figures.h"
@@ -37,7 +38,8 @@ struct ConvertOptions {
   std::string input, output;
   std::string format = "raw";
   std::string version = "1.2";
-  std::string kind = "keep", preset, dither = "none", crop;
+  std::string kind = "keep", dither = "none", crop;
+  ConfigOptions config;
   int quality = 95, near = 0, palette = 0;
   std::uint64_t seed = 1;
   bool mip = false;
@@ -94,8 +96,7 @@ Json compare_bytes(const std::vector<std::uint8_t>& wanted,
 
 /// The steps that change the map itself, each with a sentence; empty if none was asked for.
 golden::PtmMap apply_steps(golden::PtmMap map, const ConvertOptions& options, Json& steps) {
-  const reference::EvalConfig config =
-      reference::find_preset(options.preset.empty() ? "base" : options.preset).config;
+  const reference::EvalConfig config = file_config_of(options.config);
   const quantize::Dither dither = dithers.at(options.dither);
   const auto take = [&](const char* name, SteppedMap stepped) {
     steps.push_back({{"step", name}, {"how", stepped.how}});
@@ -103,7 +104,7 @@ golden::PtmMap apply_steps(golden::PtmMap map, const ConvertOptions& options, Js
   };
   if (options.kind == "rgb" && map.kind != golden::MapKind::rgb) {
     take("rgb", to_rgb_map(map, config, dither));
-  } else if (!options.preset.empty() || dither != quantize::Dither::none) {
+  } else if (options.config.any() || dither != quantize::Dither::none) {
     take("hold", hold_map(map, config, dither));
   }
   if (options.palette > 0) {
@@ -259,8 +260,7 @@ void convert(const ConvertOptions& options) {
     return write_and_check(options, name, level, files.emplace_back(name));
   };
   if (options.mip) {
-    const std::vector<golden::PtmMap> chain = mip_chain(
-        map, reference::find_preset(options.preset.empty() ? "base" : options.preset).config);
+    const std::vector<golden::PtmMap> chain = mip_chain(map, file_config_of(options.config));
     Json levels = Json::array();
     for (std::size_t level = 0; level < chain.size(); ++level) {
       levels.push_back(write(level_name(options.output, level), chain[level]));
@@ -284,15 +284,10 @@ void convert(const ConvertOptions& options) {
 }
 
 void add_step_options(CLI::App& command, ConvertOptions& options) {
-  std::vector<std::string> presets;
-  for (const reference::Preset& preset : reference::kPresets) presets.emplace_back(preset.name);
   command.add_option("--kind", options.kind, "rgb: one polynomial a channel")
       ->capture_default_str()
       ->check(CLI::IsMember({"keep", "rgb"}));
-  command
-      .add_option("--preset", options.preset,
-                  "quantise for this hardware what it cannot take verbatim")
-      ->check(CLI::IsMember(presets));
+  add_config_options(command, options.config);
   command.add_option("--dither", options.dither, "where the map is quantised anew")
       ->capture_default_str()
       ->check(CLI::IsMember({"none", "ordered", "diffused"}));

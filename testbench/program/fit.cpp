@@ -8,6 +8,7 @@
 #include "golden/files/encoded_picture.h"
 #include "golden/files/pending_file.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
 #include "testbench/program/figures.h"
@@ -22,7 +23,8 @@ using Json = nlohmann::ordered_json;
 
 struct FitArguments {
   FitJob job;
-  std::string format = "lrgb", color = "least-squares", preset = "base", full_range, region, table;
+  std::string format = "lrgb", color = "least-squares", full_range, region, table;
+  ConfigOptions config;
   std::size_t memory_mib = 256;
   bool json = false;
 };
@@ -57,14 +59,9 @@ FitJob make_job(const FitArguments& arguments) {
       arguments.color == "average" ? golden::ColorRule::average : golden::ColorRule::least_squares;
   job.fit.truncate_color = job.quantizer == "hp";
   job.fit.full_range = full_range(arguments);
-  job.config = reference::find_preset(arguments.preset).config;
+  job.config = file_config_of(arguments.config);
   job.memory = arguments.memory_mib << 20;
   if (!arguments.region.empty()) job.capture.region = parse_region("--region", arguments.region);
-  if (job.config.coef_bits > 8) {
-    throw ExitError(ExitCode::usage, "preset " + arguments.preset + " has coefficients of " +
-                                         std::to_string(job.config.coef_bits) +
-                                         " bits, a .ptm file holds 8");
-  }
   return job;
 }
 
@@ -123,7 +120,7 @@ Json to_json(const FitArguments& arguments, const FitJob& job, const FitOutcome&
   out["extrapolated"] = outcome.coverage.extrapolated;
   out["saturated_samples"] = outcome.saturated_samples;
   out["black_texels"] = outcome.black_texels;
-  out["preset"] = arguments.preset;
+  out["preset"] = name_of(job.config);
   out["method"] = job.quantizer;
   out["scale"] = outcome.scale;
   if (outcome.shift) out["shift"] = *outcome.shift;
@@ -260,11 +257,7 @@ void add_fit_options(CLI::App& command, FitArguments& a) {
                   "reweighted passes against highlights and shadows")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
-  std::vector<std::string> presets;
-  for (const reference::Preset& preset : reference::kPresets) presets.emplace_back(preset.name);
-  command.add_option("--preset", a.preset, "hardware that is to hold the map")
-      ->check(CLI::IsMember(presets))
-      ->capture_default_str();
+  add_config_options(command, a.config);
   command
       .add_option("--quantizer,--method", a.job.quantizer,
                   "how coefficients are rounded; hp: as HP's fitter did")

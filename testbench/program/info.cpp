@@ -14,6 +14,7 @@
 #include "golden/files/ptm_file.h"
 #include "golden/files/ptm_header.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/expected_file.h"
 #include "testbench/run/crop_map.h"
 #include "testbench/run/hardware_map.h"
@@ -113,12 +114,16 @@ PresetFigures preset_figures(const golden::PtmMap& map, const reference::EvalCon
   return figures;
 }
 
-/// What each preset makes of the map: whether it takes the file's integers as they stand, of an
-/// lrgb map how many texels' luminance it cannot hold under some light of the hemisphere, and, if
-/// it certainly holds both, how far a lit channel may be off at most.
-Json preset_rows(const golden::PtmMap& map) {
+/// What each preset, and a configuration that was asked for, makes of the map: whether it takes the
+/// file's integers as they stand, of an lrgb map how many texels' luminance it cannot hold under
+/// some light of the hemisphere, and, if it certainly holds both, how far a lit channel may be off
+/// at most.
+Json preset_rows(const golden::PtmMap& map, const reference::EvalConfig& own) {
   Json rows = Json::array();
-  for (const reference::Preset& preset : reference::kPresets) {
+  std::vector<reference::Preset> presets(reference::kPresets.begin(), reference::kPresets.end());
+  const std::string own_name = name_of(own);
+  if (!is_preset(own)) presets.push_back({own_name, own});
+  for (const reference::Preset& preset : presets) {
     const quantize::Import import = import_map(map, preset.config);
     const PresetFigures figures = preset_figures(map, preset.config, import.map.has_value());
     Json row{{"preset", preset.name}, {"verbatim", import.map.has_value()}};
@@ -153,7 +158,8 @@ Json describe_header(const std::filesystem::path& path, const golden::PtmMap& ma
   return out;
 }
 
-Json describe_map(const std::filesystem::path& path, bool all) {
+Json describe_map(const std::filesystem::path& path, bool all,
+                  const reference::EvalConfig& config) {
   if (!all) {
     const golden::PtmHeader header = golden::read_ptm_header(path);
     Json out = describe_header(path, header.map, header.info);
@@ -163,7 +169,7 @@ Json describe_map(const std::filesystem::path& path, bool all) {
   const golden::PtmFile file = golden::read_ptm(path);
   Json out = describe_header(path, file.map, file.info);
   out["bytes"] = byte_statistics(file.map);
-  out["presets"] = preset_rows(file.map);
+  out["presets"] = preset_rows(file.map, config);
   out["notes"] = file.info.notes;
   return out;
 }
@@ -218,6 +224,7 @@ void print_text(const Json& description) {
 
 struct InfoOptions {
   std::string file;
+  ConfigOptions config;
   bool json = false, all = false;
 };
 
@@ -230,11 +237,14 @@ void add_info_command(CLI::App& app) {
   command->add_flag("--all", options->all,
                     "read the data too: ranges of bytes or levels, and of a map what each preset "
                     "of the hardware makes of it (default: headers only)");
+  add_config_options(*command, options->config);
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options] {
+    const reference::EvalConfig config = configuration_of(options->config).eval;
+    const bool all = options->all || options->config.any();
     const bool map = expect_map_or_picture(options->file) == golden::FileType::map;
-    const Json description = map ? describe_map(options->file, options->all)
-                                 : describe_picture(options->file, options->all);
+    const Json description =
+        map ? describe_map(options->file, all, config) : describe_picture(options->file, all);
     if (options->json) {
       std::cout << description.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     } else {

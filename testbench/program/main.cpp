@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   ptm::testbench::add_run_command(app);
   ptm::testbench::add_plan_command(app);
+  ptm::testbench::add_config_command(app);
   ptm::testbench::add_render_command(app);
   ptm::testbench::add_vectors_command(app);
   ptm::testbench::add_info_command(app);

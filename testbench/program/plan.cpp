@@ -8,6 +8,7 @@
 #include "golden/scene/scene.h"
 #include "testbench/plan/effect_rows.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/expected_file.h"
 #include "testbench/run/unit_job.h"
 
@@ -17,7 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct PlanOptions {
-  std::string scene, preset;
+  std::string scene;
+  ConfigOptions config;
   bool json = false;
 };
 
@@ -105,10 +107,7 @@ void plan(const PlanOptions& options) {
                              "a scene with [[object]]: only such a one has draws and effects");
   }
   golden::UnitScene scene = golden::read_unit_scene(options.scene);
-  if (!options.preset.empty()) {
-    scene.hardware.preset = options.preset;
-    scene.hardware.preset_place = "--preset";
-  }
+  overlay(options.config, scene.hardware, scene.memory);
   const ScenePlan planned = make_scene_plan(scene);
   if (options.json) {
     std::cout << plan_json(planned).dump(2) << '\n';
@@ -124,8 +123,7 @@ void add_plan_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "plan", "What a scene's effects add to the unit, and what a pixel will cost");
   command->add_option("scene", options->scene, "Scene, TOML (docs/spec/scene.md)")->required();
-  command->add_option("--preset", options->preset, "Evaluator preset, instead of the scene's own")
-      ->check(CLI::IsMember({"paper8", "base", "wide"}));
+  add_config_options(*command, options->config);
   command->add_flag("--json", options->json, "The same as JSON");
   command->callback([options] { plan(*options); });
 }

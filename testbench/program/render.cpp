@@ -12,10 +12,12 @@
 #include "golden/files/ptm_header.h"
 #include "golden/render/light_map.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
 #include "testbench/run/light_advice.h"
 #include "testbench/run/picture_models.h"
+#include "testbench/run/prepare_rtl.h"
 #include "testbench/run/timed_models.h"
 
 namespace ptm::testbench {
@@ -28,7 +30,8 @@ struct RenderOptions {
   std::string map, out;
   std::vector<double> light;
   std::vector<int> size;
-  std::string model = "golden", preset = "base", rounding = "nearest";
+  std::string model = "golden", rounding = "nearest";
+  ConfigOptions config;
 };
 
 /// Refuses a light far outside of the unit disc, and says so of one just outside.
@@ -46,7 +49,16 @@ void check_light(const std::vector<double>& light) {
             << advice << '\n';
 }
 
-FlatJob make_job(const RenderOptions& options) {
+/// The pipeline holds a map in the unit's memory.
+Configuration configuration_of(const RenderOptions& options) {
+  golden::Settings hardware, memory;
+  overlay(options.config, hardware, memory);
+  const SettingsOf settings{"the command line", hardware, memory};
+  return options.model == "pipeline" ? make_unit_configuration(settings)
+                                     : make_configuration(settings);
+}
+
+FlatJob make_job(const RenderOptions& options, const Configuration& configuration) {
   FlatJob job;
   job.name = "--light";
   job.map_file = options.map;
@@ -58,13 +70,15 @@ FlatJob make_job(const RenderOptions& options) {
   job.width = options.size.empty() ? job.map.width : options.size[0];
   job.height = options.size.empty() ? job.map.height : options.size[1];
   job.lights = {{options.light[0], options.light[1], "the light"}};
-  if (options.model != "golden") choose_preset(job, options.preset, "--preset");
+  job.tmus = configuration.unit.tmus;
+  if (options.model != "golden") choose_config(job, configuration.eval);
   return job;
 }
 
 golden::ImageReal draw(const FlatJob& job, const std::string& model) {
   if (model == "golden") return std::move(render_golden(job).frames.front());
   if (model == "reference") return std::move(render_reference(job).frames.front());
+  if (model == "rtl") prepare_rtl_evaluator(job.config);
   ChildProcess child = model == "pipeline" ? start_pipeline(job) : start_rtl(job);
   return std::move(take_result(child, model, job).model.frames.front());
 }
@@ -79,7 +93,8 @@ void render(const RenderOptions& options) {
   golden::check_picture_name(options.out);
   expect_file(options.map, golden::FileType::map);
   check_light(options.light);
-  const golden::ImageReal picture = draw(make_job(options), options.model);
+  const Configuration configuration = configuration_of(options);
+  const golden::ImageReal picture = draw(make_job(options, configuration), options.model);
   const auto rounding =
       options.rounding == "truncate" ? golden::Rounding8::truncate : golden::Rounding8::nearest;
   golden::write_picture(options.out, golden::to_8_bit(picture, rounding));
@@ -102,9 +117,7 @@ void add_render_command(CLI::App& app) {
   command->add_option("--model", options->model, "Who renders")
       ->check(CLI::IsMember({"golden", "reference", "pipeline", "rtl"}))
       ->capture_default_str();
-  command->add_option("--preset", options->preset, "Evaluator preset of the hardware models")
-      ->check(CLI::IsMember({"paper8", "base", "wide"}))
-      ->capture_default_str();
+  add_config_options(*command, options->config);
   command
       ->add_option("--rounding", options->rounding,
                    "How golden's real values become 8 bits (the hardware's are integers)")

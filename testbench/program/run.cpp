@@ -1,12 +1,17 @@
 // ptmsim run: a scene through the models, compared, with a report.
 #include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "golden/scene/scene.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/expected_file.h"
 #include "testbench/report/html_text.h"
@@ -21,7 +26,8 @@ namespace {
 struct RunOptions {
   std::string scene, out;
   std::vector<std::string> models;
-  std::string preset;
+  std::vector<std::string> presets;
+  ConfigOptions config;
   bool effect_costs = false;
 };
 
@@ -83,9 +89,12 @@ SceneRun run_flat(const RunOptions& options) {
   }
   golden::Scene scene = golden::read_scene(options.scene);
   if (!options.models.empty()) scene.models = options.models;
-  if (!options.preset.empty()) {
-    scene.preset = options.preset;
-    scene.preset_place = "--preset";
+  golden::Settings memory;  // a flat scene has none
+  overlay(options.config, scene.hardware, memory);
+  if (!memory.list.empty()) {
+    throw golden::InputError(options.scene, memory.list.front().place,
+                             "a parameter of the memory in a flat scene",
+                             "a scene with [[object]]: only such a one has a memory");
   }
   return run_scene(scene);
 }
@@ -95,10 +104,7 @@ void say(const std::string& what) { std::cerr << "ptmsim: " << what << '\n'; }
 SceneRun run_unit(const RunOptions& options) {
   golden::UnitScene scene = golden::read_unit_scene(options.scene);
   if (!options.models.empty()) scene.models = options.models;
-  if (!options.preset.empty()) {
-    scene.hardware.preset = options.preset;
-    scene.hardware.preset_place = "--preset";
-  }
+  overlay(options.config, scene.hardware, scene.memory);
   SceneRun run = run_unit_scene(scene);
   if (options.effect_costs) run.result.costs = measure_effects(scene, run, say);
   return run;
@@ -119,14 +125,76 @@ void refuse_disagreement(const SceneRun& run, const RunComparison& comparison) {
   }
 }
 
-void run(const RunOptions& options) {
-  expect_file(options.scene, golden::FileType::scene);
+/// What one configuration made of the scene, for a row beside others.
+struct RunFigures {
+  std::string preset;
+  std::optional<double> psnr_db, largest;  ///< of the hardware against golden
+  std::optional<std::uint64_t> cycles;
+  std::exception_ptr disagreement;
+};
+
+RunFigures figures_of(const std::string& preset, const RunResult& result,
+                      const RunComparison& comparison) {
+  RunFigures figures;
+  figures.preset = preset;
+  for (const PairDifference& pair : comparison.pairs) {
+    if (pair.a != "golden" || figures.psnr_db) continue;
+    figures.psnr_db = pair.difference.psnr_db;
+    figures.largest = pair.difference.max;
+  }
+  for (const ModelResult& model : result.models) {
+    if (model.cycles) figures.cycles = model.cycles;
+  }
+  return figures;
+}
+
+RunFigures run_one(const RunOptions& options) {
   const SceneRun run = golden::is_unit_scene(options.scene) ? run_unit(options) : run_flat(options);
   const RunComparison comparison = compare_run(run.result);
   const ReportPaths report = write_report(run.result, comparison, options.out);
   print_summary(run.result, comparison);
   std::cout << "report: " << report.html.string() << '\n';
-  refuse_disagreement(run, comparison);
+  RunFigures figures = figures_of(options.config.preset, run.result, comparison);
+  try {
+    refuse_disagreement(run, comparison);
+  } catch (const ExitError&) {
+    figures.disagreement = std::current_exception();
+  }
+  return figures;
+}
+
+void print_figures(const std::vector<RunFigures>& rows) {
+  std::cout << "\npreset      PSNR against golden  largest error       cycles\n";
+  for (const RunFigures& row : rows) {
+    std::cout << std::left << std::setw(12) << row.preset << std::right << std::setw(19)
+              << (row.psnr_db ? decibels(*row.psnr_db) : "-") << std::setw(15)
+              << (row.largest ? levels(*row.largest) : "-") << std::setw(13)
+              << (row.cycles ? grouped(*row.cycles) : "-") << '\n';
+  }
+}
+
+/// The scene with each preset, a report each.
+std::vector<RunFigures> run_presets(const RunOptions& options) {
+  std::vector<RunFigures> rows;
+  for (const std::string& preset : options.presets) {
+    RunOptions one = options;
+    one.config.preset = preset;
+    one.out = (std::filesystem::path(options.out) / preset).string();
+    std::cout << (rows.empty() ? "" : "\n") << "with preset " << preset << ":\n";
+    rows.push_back(run_one(one));
+  }
+  print_figures(rows);
+  return rows;
+}
+
+void run(RunOptions options) {
+  expect_file(options.scene, golden::FileType::scene);
+  if (options.presets.size() == 1) options.config.preset = options.presets.front();
+  const std::vector<RunFigures> rows =
+      options.presets.size() > 1 ? run_presets(options) : std::vector<RunFigures>{run_one(options)};
+  for (const RunFigures& row : rows) {
+    if (row.disagreement) std::rethrow_exception(row.disagreement);
+  }
 }
 
 }  // namespace
@@ -141,8 +209,13 @@ void add_run_command(CLI::App& app) {
   command->add_option("--models", options->models, "Which models, instead of the scene's own list")
       ->delimiter(',')
       ->check(CLI::IsMember({"golden", "reference", "pipeline", "rtl"}));
-  command->add_option("--preset", options->preset, "Evaluator preset, instead of the scene's own")
-      ->check(CLI::IsMember({"paper8", "base", "wide"}));
+  command
+      ->add_option("--preset", options->presets,
+                   "Preset of the evaluator, instead of the scene's own; of several, as base,wide, "
+                   "each draws the scene, into a folder of its name")
+      ->delimiter(',')
+      ->check(CLI::IsMember(preset_names()));
+  add_set_option(*command, options->config);
   command->add_flag("--cost-of-effects", options->effect_costs,
                     "Draw the scene again without each of its effects, and report what each costs");
   command->callback([options] { run(*options); });

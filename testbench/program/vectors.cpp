@@ -3,8 +3,10 @@
 #include <memory>
 
 #include "testbench/program/commands.h"
+#include "testbench/program/config_options.h"
 #include "testbench/program/exit_code.h"
 #include "testbench/program/option_checks.h"
+#include "testbench/run/prepare_rtl.h"
 #include "testbench/vectors/vector_csv.h"
 
 namespace ptm::testbench {
@@ -12,7 +14,8 @@ namespace {
 
 struct VectorOptions {
   VectorRequest request;
-  std::string preset = "base", format = "lrgb", unit = "evaluator";
+  ConfigOptions config;
+  std::string format = "lrgb", unit = "evaluator";
 };
 
 void print_vectors(VectorOptions options) {
@@ -21,7 +24,9 @@ void print_vectors(VectorOptions options) {
   } else if (options.format == "rgb") {
     options.request.kind = VectorKind::rgb;
   }
-  options.request.config = reference::find_preset(options.preset).config;
+  options.request.config = configuration_of(options.config).eval;
+  const bool evaluator = options.request.kind != VectorKind::lerp;
+  if (evaluator && options.request.model == "rtl") prepare_rtl_evaluator(options.request.config);
   std::ios::sync_with_stdio(false);
   write_vectors(options.request, std::cout);
   std::cout.flush();
@@ -35,9 +40,7 @@ void add_vectors_command(CLI::App& app) {
   VectorRequest& request = options->request;
   CLI::App* command = app.add_subcommand(
       "vectors", "Print evaluator inputs and outputs as CSV (docs/spec/vectors.md)");
-  command->add_option("--preset", options->preset, "Evaluator preset")
-      ->check(CLI::IsMember({"paper8", "base", "wide"}))
-      ->capture_default_str();
+  add_config_options(*command, options->config);
   command->add_option("--count", request.count, "How many rows")
       ->check(whole_number())
       ->capture_default_str();

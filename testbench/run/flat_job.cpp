@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 #include "golden/scene/flat_samples.h"
 #include "golden/scene/textures.h"
@@ -33,7 +32,7 @@ void check_light(const FlatJob& job, const reference::EvalConfig& config,
                              std::string("|") + name + "| at most " +
                                  decimal(reference::light_limit(config)) +
                                  ", which is what light_int = " + std::to_string(config.light_int) +
-                                 " of the preset can express" + advice(light));
+                                 " can express" + advice(light));
   }
 }
 
@@ -53,13 +52,8 @@ void check_hardware_limits(const FlatJob& job, const reference::EvalConfig& conf
   for (const golden::Light& light : job.lights) check_light(job, config, light);
 }
 
-void choose_preset(FlatJob& job, const std::string& preset, const std::string& place) {
-  try {
-    job.config = reference::find_preset(preset).config;
-  } catch (const std::invalid_argument&) {
-    throw golden::InputError(job.name, place, "preset '" + preset + "'", "paper8, base or wide");
-  }
-  job.preset = preset;
+void choose_config(FlatJob& job, const reference::EvalConfig& config) {
+  job.config = config;
   check_hardware_limits(job, job.config);
   job.hardware =
       store_map(job.map, job.config, quantize::Method::nearest_plane, job.map_file.string());

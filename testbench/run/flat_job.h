@@ -15,7 +15,6 @@ struct FlatJob {
   std::string name;  ///< the scene or command, for errors
   std::filesystem::path map_file;
   golden::PtmMap map;
-  std::string preset;
   reference::EvalConfig config;
   HardwareMap hardware;
   int width = 0, height = 0;
@@ -30,8 +29,8 @@ void check_hardware_size(const std::filesystem::path& map_file, int width, int h
 /// golden::InputError naming the light, or the map's size.
 void check_hardware_limits(const FlatJob& job, const reference::EvalConfig& config);
 
-/// Fills `config` and `hardware` for a preset. An unknown name throws InputError at `place`.
-void choose_preset(FlatJob& job, const std::string& preset, const std::string& place);
+/// Fills `config` and `hardware`. Throws as check_hardware_limits() and store_map() do.
+void choose_config(FlatJob& job, const reference::EvalConfig& config);
 
 /// The fragment of one pixel: golden's sample, quantised.
 [[nodiscard]] reference::Fragment make_fragment(const FlatJob& job,

@@ -8,10 +8,12 @@
 #include "golden/files/ptm_file.h"
 #include "golden/files/ptm_header.h"
 #include "golden/scene/flat_samples.h"
+#include "testbench/config/configuration.h"
 #include "testbench/run/edge_samples.h"
 #include "testbench/run/light_advice.h"
 #include "testbench/run/picture_models.h"
 #include "testbench/run/pixel_probe.h"
+#include "testbench/run/prepare_rtl.h"
 #include "testbench/run/timed_models.h"
 
 namespace ptm::testbench {
@@ -23,7 +25,27 @@ bool names(const golden::Scene& scene, const std::string& model) {
   return std::find(scene.models.begin(), scene.models.end(), model) != scene.models.end();
 }
 
-FlatJob make_job(const golden::Scene& scene, golden::PtmFile&& file) {
+/// What a scene's [hardware] says. The pipeline holds a map in the unit's memory.
+Configuration configuration_of(const golden::Scene& scene) {
+  const golden::Settings none;
+  const SettingsOf settings{scene.file.string(), scene.hardware, none};
+  return names(scene, "pipeline") ? make_unit_configuration(settings)
+                                  : make_configuration(settings);
+}
+
+/// Parameters that were named and mean nothing here.
+void note_idle_parameters(const Configuration& configuration, std::vector<std::string>& notes) {
+  std::string idle;
+  for (const golden::Setting& setting : configuration.named) {
+    const bool unit = reference::find_parameter<reference::UnitConfig>(setting.name).has_value();
+    if (unit && setting.name != "tmus") idle += (idle.empty() ? "" : ", ") + setting.name;
+  }
+  if (idle.empty()) return;
+  notes.push_back("of a flat map only the evaluator and the number of TMUs matter, not " + idle);
+}
+
+FlatJob make_job(const golden::Scene& scene, const Configuration& configuration,
+                 golden::PtmFile&& file) {
   FlatJob job;
   job.name = scene.file.string();
   job.map_file = scene.map;
@@ -31,8 +53,8 @@ FlatJob make_job(const golden::Scene& scene, golden::PtmFile&& file) {
   job.width = scene.size ? (*scene.size)[0] : job.map.width;
   job.height = scene.size ? (*scene.size)[1] : job.map.height;
   job.lights = scene.lights;
-  job.tmus = scene.tmus;
-  choose_preset(job, scene.preset, scene.preset_place);
+  job.tmus = configuration.unit.tmus;
+  choose_config(job, configuration.eval);
   return job;
 }
 
@@ -43,11 +65,14 @@ void note_extrapolation(const golden::Light& light, std::vector<std::string>& no
 }
 
 /// The reference's pictures for every preset that can express the scene's lights, for the table of
-/// the hardware's error against golden.
+/// the hardware's error against golden; first those of the run's own configuration if it is none.
 void add_presets(const FlatJob& job, const ModelResult* reference, RunResult& result) {
+  if (reference && !is_preset(job.config)) {
+    result.presets.push_back({name_of(job.config), reference->frames});
+  }
   for (const reference::Preset& preset : reference::kPresets) {
     const std::string name(preset.name);
-    if (reference && name == job.preset) {
+    if (reference && preset.config == job.config) {
       result.presets.push_back({name, reference->frames});
       continue;
     }
@@ -98,18 +123,20 @@ std::optional<std::uint64_t> count_late_pixels(const CyclesByModel& cycles) {
 }  // namespace
 
 SceneRun run_scene(const golden::Scene& scene) {
+  const Configuration configuration = configuration_of(scene);  // before anything is read
   const golden::PtmMap header = golden::read_ptm_header(scene.map).map;
   check_hardware_size(scene.map, header.width, header.height);  // before the rest is read
   golden::PtmFile file = golden::read_ptm(scene.map);
   SceneRun run;
   RunResult& result = run.result;
   result.notes = file.info.notes;
+  note_idle_parameters(configuration, result.notes);
   for (const golden::Light& light : scene.lights) note_extrapolation(light, result.notes);
   result.map_format = file.info.format;
-  const auto job = std::make_shared<const FlatJob>(make_job(scene, std::move(file)));
+  const auto job = std::make_shared<const FlatJob>(make_job(scene, configuration, std::move(file)));
   result.scene_file = job->name;
   result.map_file = job->map_file.string();
-  result.preset = job->preset;
+  result.preset = name_of(job->config);
   result.width = job->width;
   result.height = job->height;
   for (const golden::Light& light : job->lights) result.lights.push_back({light.u, light.v, 0});
@@ -117,6 +144,7 @@ SceneRun run_scene(const golden::Scene& scene) {
   result.edge_pixels = flat_edge_pixels(*job);
 
   std::optional<ChildProcess> timing, rtl;  // forked before any thread of this process starts
+  if (names(scene, "rtl")) prepare_rtl_evaluator(job->config);
   if (names(scene, "pipeline")) timing.emplace(start_pipeline(*job));
   if (names(scene, "rtl")) rtl.emplace(start_rtl(*job));
   if (names(scene, "golden")) result.models.push_back(render_golden(*job));

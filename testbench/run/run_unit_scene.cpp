@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "model/reference/unit/shade.h"
+#include "testbench/config/configuration.h"
 #include "testbench/run/edge_samples.h"
+#include "testbench/run/prepare_rtl.h"
 #include "testbench/run/stopwatch.h"
 #include "testbench/run/unit_probe.h"
 #include "testbench/run/unit_rtl.h"
@@ -42,15 +44,17 @@ ModelResult model_result(const UnitJob& job, const UnitTimed& timed, const Pixel
   return result;
 }
 
-/// The reference's pictures for every preset that can express the scene's lights.
+/// The reference's pictures for every preset that can express the scene's lights; first those of
+/// the run's own configuration if it is none.
 void add_presets(const UnitJob& job, const Pixels& own, RunResult& result) {
-  for (const reference::Preset& preset : reference::kPresets) {
-    PresetFrames frames{std::string(preset.name), {}};
-    reference::EvalConfig config = preset.config;
-    if (job.scene.hardware.shift_groups) config.shift_groups = *job.scene.hardware.shift_groups;
+  std::vector<reference::Preset> rows(reference::kPresets.begin(), reference::kPresets.end());
+  const std::string own_name = name_of(job.config);
+  if (!is_preset(job.config)) rows.insert(rows.begin(), {own_name, job.config});
+  for (const auto& [name, config] : rows) {
+    PresetFrames frames{std::string(name), {}};
     try {
       std::vector<std::string> notes;
-      const bool same = frames.preset == job.preset;
+      const bool same = config == job.config;
       const reference::UnitState state =
           same ? job.state : make_unit_state(job.scene, job.textures, job.extras, config, notes);
       for (std::size_t n = 0; n < job.frames.size(); ++n) {
@@ -87,7 +91,7 @@ void describe_scene(const UnitJob& job, RunResult& result) {
     }
   }
   result.map_format = "texture unit";
-  result.preset = job.preset;
+  result.preset = name_of(job.config);
   result.width = job.scene.size[0];
   result.height = job.scene.size[1];
   for (const golden::LightSpec& light : job.scene.lights) {
@@ -119,7 +123,7 @@ using Children = std::vector<std::pair<std::string, ChildProcess>>;
 
 /// The timed models that the scene names, and loose beside the timing exact.
 Children start_timed_models(const UnitJob& job) {
-  if (names(job.scene, "rtl")) prepare_unit_variant(job);
+  if (names(job.scene, "rtl")) prepare_rtl_unit(job.config, job.unit);
   Children children;
   for (const std::string model : {"pipeline", "loose", "rtl"}) {
     if (names(job.scene, model == "loose" ? "pipeline" : model)) {

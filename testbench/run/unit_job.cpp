@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/reference/light_code.h"
+#include "testbench/config/configuration.h"
 
 namespace ptm::testbench {
 namespace {
@@ -13,51 +14,30 @@ using golden::UnitScene;
 using reference::EvalConfig;
 using reference::UnitFragment;
 
-reference::UnitConfig unit_config(const UnitScene& scene) {
-  const golden::HardwareSpec& hardware = scene.hardware;
-  reference::UnitConfig unit;
-  unit.tmus = hardware.tmus;
-  unit.cache_kib = hardware.cache_kib;
-  unit.ways = hardware.ways;
-  unit.fragment_fifo = hardware.fragment_fifo;
-  unit.miss_fifo = hardware.miss_fifo;
-  unit.palette_lrgb_ports = hardware.palette_lrgb_ports;
-  unit.palette_rgb_ports = hardware.palette_rgb_ports;
-  unit.eval_lanes = hardware.eval_lanes;
-  unit.counters = hardware.counters;
-  unit.duplicate_lines = hardware.duplicate_lines;
-  try {
-    validate(unit);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(scene.file.string(), hardware.place, error.what(),
-                     "a unit that can be built (docs/spec/unit-timing.md)");
-  }
-  return unit;
+Configuration configuration_of(const UnitScene& scene) {
+  return make_unit_configuration({scene.file.string(), scene.hardware, scene.memory});
 }
 
-pipeline::MemoryModel memory_model(const golden::MemorySpec& spec) {
-  const auto cycles = [](int n) { return static_cast<pipeline::Cycle>(n); };
-  switch (spec.kind) {
-    case golden::MemoryKind::dram: {
-      pipeline::DramMemory dram;
-      dram.banks = spec.banks;
-      dram.page_lines = spec.page_lines;
-      dram.tRCD = cycles(spec.t_rcd);
-      dram.tRP = cycles(spec.t_rp);
-      dram.CL = cycles(spec.cl);
-      dram.tRAS = cycles(spec.t_ras);
-      dram.tREFI = cycles(spec.t_refi);
-      dram.tRFC = cycles(spec.t_rfc);
-      dram.burst = cycles(spec.burst);
-      dram.overhead = cycles(spec.overhead);
-      return dram;
-    }
-    case golden::MemoryKind::random:
-      return pipeline::RandomMemory{spec.seed, cycles(spec.latency_min), cycles(spec.latency_max)};
-    case golden::MemoryKind::fixed:
-      break;
+/// A parameter that the scene names itself and that its effects want more of.
+void check_named(const UnitScene& scene, const Configuration& configuration,
+                 const reference::UnitConfig& planned) {
+  using Table = reference::ParameterTable<reference::UnitConfig>;
+  for (std::size_t i = 0; i < Table::kCount; ++i) {
+    const reference::ParameterRow& row = Table::rows()[i];
+    const golden::Setting* named = configuration.find_named(row.name);
+    if (!named || Table::get(planned, i) == Table::get(configuration.unit, i)) continue;
+    throw InputError(scene.file.string(), named->place, std::string(row.name) + " = " + named->text,
+                     reference::parameter_text(row, Table::get(planned, i)) +
+                         ", which the scene's effects need");
   }
-  return pipeline::FixedMemory{cycles(spec.latency), cycles(spec.interval)};
+}
+
+ScenePlan plan_of(const UnitScene& prepared, const golden::LoadedTextures& textures,
+                  const std::vector<golden::DrawExtras>& extras,
+                  const Configuration& configuration) {
+  ScenePlan plan = plan_scene(prepared, textures, extras, configuration.eval, configuration.unit);
+  check_named(prepared, configuration, plan.unit);
+  return plan;
 }
 
 std::string number(double x) {
@@ -90,16 +70,7 @@ std::string describe(const pipeline::MemoryModel& memory) {
          std::to_string(dram.tREFI);
 }
 
-EvalConfig scene_eval_config(const UnitScene& scene) {
-  try {
-    EvalConfig config = reference::find_preset(scene.hardware.preset).config;
-    if (scene.hardware.shift_groups) config.shift_groups = *scene.hardware.shift_groups;
-    return config;
-  } catch (const std::invalid_argument&) {
-    throw InputError(scene.file.string(), scene.hardware.preset_place,
-                     "preset '" + scene.hardware.preset + "'", "paper8, base or wide");
-  }
-}
+EvalConfig scene_eval_config(const UnitScene& scene) { return configuration_of(scene).eval; }
 
 std::vector<UnitFragment> make_unit_fragments(const UnitScene& scene, const EvalConfig& config,
                                               const reference::UnitState& state,
@@ -117,8 +88,7 @@ std::vector<UnitFragment> make_unit_fragments(const UnitScene& scene, const Eval
           scene.file.string(), light_place(scene, frame),
           "light (" + number(s.light_vertex[0]) + ", " + number(s.light_vertex[1]) + ")",
           "coordinates of at most " + number(reference::light_limit(config)) +
-              ", which is what light_int = " + std::to_string(config.light_int) +
-              " of the preset can express");
+              ", which is what light_int = " + std::to_string(config.light_int) + " can express");
     }
     fragments.push_back(*fragment);
   }
@@ -126,18 +96,19 @@ std::vector<UnitFragment> make_unit_fragments(const UnitScene& scene, const Eval
 }
 
 ScenePlan make_scene_plan(const UnitScene& scene) {
+  const Configuration configuration = configuration_of(scene);  // before anything is loaded
   UnitScene prepared = scene;
   golden::LoadedTextures textures = golden::load_textures(scene);
   const auto extras = golden::prepare_effects(prepared, textures);
-  return plan_scene(prepared, textures, extras, scene_eval_config(scene), unit_config(scene));
+  return plan_of(prepared, textures, extras, configuration);
 }
 
 UnitJob make_unit_job(const UnitScene& scene) {
   UnitJob job;
   job.scene = scene;
-  job.preset = scene.hardware.preset;
-  job.config = scene_eval_config(scene);
-  job.memory = memory_model(scene.memory);
+  const Configuration configuration = configuration_of(scene);
+  job.config = configuration.eval;
+  job.memory = configuration.memory;
   job.timing.seed = scene.stress.seed;
   job.timing.input_gap = scene.stress.input_gap / 256.0;
   job.timing.output_stall = scene.stress.output_stall / 256.0;
@@ -150,7 +121,7 @@ UnitJob make_unit_job(const UnitScene& scene) {
       if (!said) job.notes.push_back(note);
     }
   }
-  job.plan = plan_scene(job.scene, job.textures, job.extras, job.config, unit_config(scene));
+  job.plan = plan_of(job.scene, job.textures, job.extras, configuration);
   job.unit = job.plan.unit;
   job.state = make_unit_state(job.scene, job.textures, job.extras, job.config, job.notes);
   for (std::size_t frame = 0; frame < scene.lights.size(); ++frame) {

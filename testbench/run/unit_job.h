@@ -25,7 +25,6 @@ struct UnitFrameInput {
 struct UnitJob {
   golden::UnitScene scene;
   golden::LoadedTextures textures;
-  std::string preset;
   reference::EvalConfig config;
   std::vector<golden::DrawExtras> extras;  ///< what effects add, one a draw
   ScenePlan plan;
@@ -38,8 +37,8 @@ struct UnitJob {
 };
 
 /// Loads, quantises and lays out a scene's textures, and makes its fragments. Throws
-/// golden::InputError: what reading throws, a light that the preset cannot express, more palettes
-/// than the unit has, a draw that the unit would refuse.
+/// golden::InputError: what reading throws, a light that the configuration cannot express, more
+/// palettes than the unit has, a draw that the unit would refuse.
 [[nodiscard]] UnitJob make_unit_job(const golden::UnitScene& scene);
 
 /// What a scene calls for; its textures are loaded, since effects ask them. Throws as above.

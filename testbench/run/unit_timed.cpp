@@ -3,6 +3,7 @@
 
 #include "model/pipeline/estimate_texture_unit.h"
 #include "model/pipeline/simulate_texture_unit.h"
+#include "testbench/run/prepare_rtl.h"
 #include "testbench/run/stopwatch.h"
 #include "testbench/run/unit_models.h"
 #include "testbench/run/unit_rtl.h"
@@ -136,7 +137,7 @@ pipeline::UnitSimulation unit_simulation(const UnitJob& job) {
 }
 
 ChildProcess start_unit_model(const UnitJob& job, const std::string& model) {
-  if (model == "rtl") prepare_unit_variant(job);
+  if (model == "rtl") prepare_rtl_unit(job.config, job.unit);
   return {"the " + model + " model",
           [&job, model](ResultFile& file) { simulate(job, model, file); }};
 }

@@ -37,7 +37,7 @@ FlatJob tablet_job(const std::string& preset) {
   job.width = job.map.width;
   job.height = job.map.height;
   job.lights = forty_lights();
-  choose_preset(job, preset, "test");
+  choose_config(job, reference::find_preset(preset).config);
   return job;
 }
 

@@ -32,7 +32,7 @@ std::vector<Case> cases() {
 UnitJob point_sampled(const Case& which) {
   golden::UnitScene scene = golden::read_unit_scene(std::filesystem::path(PTM_SOURCE_DIR) /
                                                     "scenes" / (which.scene + ".toml"));
-  scene.hardware.preset = which.preset;
+  scene.hardware.list.push_back({.name = "preset", .text = which.preset});
   for (golden::DrawSpec& draw : scene.draws) {
     draw.filter = {.bilinear = false, .mip = golden::MipMode::none};
     draw.probes = 1;

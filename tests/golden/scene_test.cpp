@@ -44,8 +44,11 @@ TEST_F(SceneFile, HoldsEverythingItSays) {
   EXPECT_EQ(scene.lights[0].u, -1);
   EXPECT_EQ(scene.lights[0].v, 0.5);
   EXPECT_EQ(scene.lights[1].place, "line 9 (light[1].direction)");
-  EXPECT_EQ(scene.preset, "wide");
-  EXPECT_EQ(scene.tmus, 2);
+  ASSERT_EQ(scene.hardware.list.size(), 2U);
+  EXPECT_EQ(scene.hardware.list[0].name, "preset");
+  EXPECT_EQ(scene.hardware.list[0].text, "wide");
+  EXPECT_EQ(scene.hardware.list[1].text, "2");
+  EXPECT_EQ(scene.hardware.list[1].place, "line 12");
   EXPECT_EQ(scene.models, (std::vector<std::string>{"rtl", "golden"}));
 }
 
@@ -68,8 +71,7 @@ TEST_F(SceneFile, RefusesWrongTypesWithWhatWasExpected) {
             "line 4 (light[0].direction)|a string|an array");
   EXPECT_EQ(complaint(kMap + "[[light]]\ndirection = [0, true]\n"),
             "line 4 (light[0].direction[1])|a boolean|a finite number");
-  EXPECT_EQ(complaint(kMap + kLight + "[hardware]\ntmus = 1.5\n"),
-            "line 6 (hardware.tmus)|a number|an integer from 1 to 3");
+  EXPECT_EQ(complaint("hardware = 3\n" + kMap + kLight), "line 1 (hardware)|an integer|a table");
 }
 
 TEST_F(SceneFile, RefusesValuesOutOfRange) {
