@@ -39,9 +39,9 @@ module ptm_draw_check #(
   assign present = texture_i ? color_i : format_i != ptm_unit_pkg::FormatNone;
 
   logic unknown, incomplete;
-  assign unknown = format_i > ptm_unit_pkg::FormatPaletteRgb || mip_i > ptm_unit_pkg::MipLinear ||
-                   wrap_u_i > ptm_unit_pkg::WrapClamp || wrap_v_i > ptm_unit_pkg::WrapClamp ||
-                   combine_i > ptm_unit_pkg::CombineReplace;
+  assign unknown = format_i > ptm_unit_pkg::FormatLast || mip_i > ptm_unit_pkg::MipLast ||
+                   wrap_u_i > ptm_unit_pkg::WrapLast || wrap_v_i > ptm_unit_pkg::WrapLast ||
+                   combine_i > ptm_unit_pkg::CombineLast;
   assign incomplete = (combine_i != ptm_unit_pkg::CombineNone && !color_i) ||
                       (format_i == ptm_unit_pkg::FormatNone &&
                        combine_i != ptm_unit_pkg::CombineReplace);
@@ -72,8 +72,7 @@ module ptm_draw_check #(
         pass = effect_i[ptm_unit_pkg::EffectPassAt + 4*k +: 4];
         if (3'(k) < passes) begin
           if (pass[2:0] > sets || (pass[3] && HalfVector == 0)) bad_pass = 1'b1;
-          if (pass[2:0] == 3'd0 && format_i != ptm_unit_pkg::FormatLrgb &&
-              format_i != ptm_unit_pkg::FormatPaletteLrgb) bad_pass = 1'b1;
+          if (pass[2:0] == 3'd0 && !ptm_format_pkg::one_polynomial(format_i)) bad_pass = 1'b1;
         end
       end
     end
@@ -104,15 +103,12 @@ module ptm_draw_check #(
   assign down   = height == '0 ? (SideW-1)'(1)
                                : (SideW-1)'((SideW+1)'(height) + (SideW+1)'(3) >> 2);
   assign tiles  = (2*SideW-2)'(across) * (2*SideW-2)'(down);
+  logic [2:0]         planes;
   logic [2*SideW:0]   own_lines;
-  always_comb begin
-    own_lines = (2*SideW+1)'(tiles);
-    if (!texture_i && format_i == ptm_unit_pkg::FormatLrgb) begin
-      own_lines = (2*SideW+1)'(tiles) + {2'b0, tiles, 1'b0};  // 3 planes
-    end else if (!texture_i && format_i == ptm_unit_pkg::FormatRgb) begin
-      own_lines = {2'b0, tiles, 1'b0} + {1'b0, tiles, 2'b0};  // 6
-    end
-  end
+  assign planes    = texture_i ? 3'd1 : ptm_format_pkg::planes(format_i);
+  assign own_lines = (planes[0] ? (2*SideW+1)'(tiles) : '0) +
+                     (planes[1] ? {2'b0, tiles, 1'b0} : '0) +
+                     (planes[2] ? {1'b0, tiles, 2'b0} : '0);
   if (ExtraSets == 0) begin : gen_own_lines
     assign lines = own_lines;
   end else begin : gen_set_lines  // two planes a set; more than four sets are an error of their own

@@ -41,18 +41,6 @@ module ptm_filter_sets #(
   output logic [6*StoredW-1:0]    coef_o
 );
   `include "ptm_filter_words.svh"
-  // The beat brings word j of the sets' on TMU t
-  function automatic logic brings_set(input logic [2:0] format, input logic color,
-                                      input logic [GroupBits-1:0] group, input int j, input int t);
-    case (format)
-      ptm_unit_pkg::FormatLrgb: brings_set = color ? brings(group, 4 + j, t)
-                                                   : brings(group, 3 + j, t);
-      ptm_unit_pkg::FormatRgb:  brings_set = color ? brings(group, 7 + j, t)
-                                                   : brings(group, 6 + j, t);
-      default:                  brings_set = color ? brings(group, 2 + j, t)
-                                                   : brings(group, 1 + j, t);
-    endcase
-  endfunction
 
   logic [ValueW-1:0] field [6*ExtraSets];
   for (genvar j = 0; j < 2 * ExtraSets; j++) begin : gen_word

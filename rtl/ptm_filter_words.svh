@@ -9,13 +9,4 @@ endfunction
 function automatic logic brings(input logic [GroupBits-1:0] group, input int w, input int t);
   brings = w % Tmus == t && group == GroupBits'(w / Tmus);
 endfunction
-// The beat brings the colour texture on TMU t: the word behind the map's planes
-function automatic logic brings_color(input logic [2:0] format,
-                                      input logic [GroupBits-1:0] group, input int t);
-  case (format)
-    ptm_unit_pkg::FormatNone: brings_color = brings(group, 0, t);
-    ptm_unit_pkg::FormatLrgb: brings_color = brings(group, 3, t);
-    ptm_unit_pkg::FormatRgb:  brings_color = brings(group, 6, t);
-    default:                  brings_color = brings(group, 1, t);
-  endcase
-endfunction
+`include "contract/ptm_format_words.svh"

@@ -26,30 +26,20 @@ module ptm_multiply_count #(
   output logic [2:0] combine_o
 );
   localparam int GroupBits = ptm_unit_pkg::GroupBits;
+  localparam int WordsMax  = ptm_format_pkg::WordsMax;
   // Fields of the map's words in the beat, and of the colour texture's
   logic [5:0] map_fields, color_fields, fields;
   logic [2:0] planes;
+  logic [5*WordsMax-1:0] word_fields;  // 0 beyond the map's words
+  assign planes      = ptm_format_pkg::planes(format_i);
+  assign word_fields = ptm_format_pkg::word_fields(format_i);
   always_comb begin
     map_fields = '0;
-    planes     = 3'd1;
-    case (format_i)
-      ptm_unit_pkg::FormatNone: planes = 3'd0;
-      ptm_unit_pkg::FormatLrgb: planes = 3'd3;
-      ptm_unit_pkg::FormatRgb:  planes = 3'd6;
-      default: ;
-    endcase
-    for (int w = 0; w < 6; w++) begin
-      if (3'(w) < planes && group_i == GroupBits'(w / Tmus)) begin
-        case (format_i)
-          ptm_unit_pkg::FormatPaletteLrgb: map_fields = 6'd9;
-          ptm_unit_pkg::FormatPaletteRgb:  map_fields = 6'd18;
-          ptm_unit_pkg::FormatLrgb:        map_fields = map_fields + (w == 2 ? 6'd4 : 6'd3);
-          default:                         map_fields = map_fields + 6'd3;
-        endcase
-      end
+    for (int w = 0; w < WordsMax; w++) begin
+      if (group_i == GroupBits'(w / Tmus)) map_fields = map_fields + 6'(word_fields[5*w +: 5]);
     end
     color_fields = '0;
-    for (int w = 0; w < 7; w++) begin
+    for (int w = 0; w <= WordsMax; w++) begin
       if (color_i && 3'(w) == planes && group_i == GroupBits'(w / Tmus)) color_fields = 6'd4;
     end
   end
@@ -64,7 +54,7 @@ module ptm_multiply_count #(
     assign past  = first + {1'b0, sets_i, 1'b0};
     always_comb begin
       set_fields = '0;
-      for (int w = 1; w < 7 + 2 * ExtraSets; w++) begin
+      for (int w = 1; w < WordsMax + 1 + 2 * ExtraSets; w++) begin
         if (5'(w) >= first && 5'(w) < past && group_i == GroupBits'(w / Tmus)) begin
           set_fields = set_fields + 6'd3;
         end
@@ -85,12 +75,7 @@ module ptm_multiply_count #(
     assign eval_o = 6'(eval) + {o_passes_i, 3'd0};
   end
   always_comb begin
-    case (o_format_i)
-      ptm_unit_pkg::FormatNone: eval = 5'd0;
-      ptm_unit_pkg::FormatRgb,
-      ptm_unit_pkg::FormatPaletteRgb: eval = 5'd24;
-      default: eval = 5'd11;
-    endcase
+    eval = ptm_format_pkg::eval_multiplies(o_format_i);
     case (o_combine_i)
       ptm_unit_pkg::CombineModulate: combine_o = 3'd3;
       ptm_unit_pkg::CombineDecal,

@@ -34,8 +34,8 @@ module ptm_palette_control #(
 );
   // The words are indices into that palette.
   logic lrgb, rgb;
-  assign lrgb = format_i == ptm_unit_pkg::FormatPaletteLrgb && group_i == '0;
-  assign rgb  = format_i == ptm_unit_pkg::FormatPaletteRgb && group_i == '0;
+  assign lrgb = ptm_format_pkg::indexes_lrgb(format_i) && group_i == '0;
+  assign rgb  = ptm_format_pkg::indexes_rgb(format_i) && group_i == '0;
 
   logic [4*10-1:0] lrgb_index;
   logic [4*12-1:0] rgb_index;

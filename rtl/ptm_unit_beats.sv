@@ -25,7 +25,7 @@ module ptm_unit_beats #(
   output logic [1:0]                wrap_u_o,
   output logic [1:0]                wrap_v_o,
   output logic                      bilinear_o,
-  output logic [2:0]                planes_o,    // of the map: 0, 1, 3, 6
+  output logic [2:0]                planes_o,    // of the map's own words
   output logic [2:0]                sets_o,      // coefficient sets beyond it, two planes each
   output logic                      color_o,     // the draw has a colour texture
   output ptm_unit_front_pkg::level_t map_o,      // of the footprint
@@ -51,15 +51,8 @@ module ptm_unit_beats #(
   end
 
   // Words: the map's planes, the colour texture, the sets' planes
-  always_comb begin
-    unique case (draw.format)
-      ptm_unit_pkg::FormatLrgb: planes_o = 3'd3;
-      ptm_unit_pkg::FormatRgb: planes_o = 3'd6;
-      ptm_unit_pkg::FormatPaletteLrgb, ptm_unit_pkg::FormatPaletteRgb: planes_o = 3'd1;
-      default: planes_o = 3'd0;
-    endcase
-  end
-  localparam int WordsMax = 7 + 2 * ExtraSets;
+  assign planes_o = ptm_format_pkg::planes(draw.format);
+  localparam int WordsMax = ptm_format_pkg::WordsMax + 1 + 2 * ExtraSets;
   localparam int GroupW   = ExtraSets == 0 ? 3 : ptm_unit_pkg::GroupBits;
   logic [GroupW-1:0] words, groups_less_1;
   if (ExtraSets == 0) begin : gen_own

@@ -1,13 +1,12 @@
-// The unit's counters: docs/spec/unit-timing.md, Counters, numbers 0 to 36, and 37 of
-// docs/spec/effects.md, which is 0 in a unit without stages.
+// The unit's counters: docs/spec/unit-timing.md, Counters; their numbers are those of the table
+// contract/counters.toml. The one of docs/spec/effects.md is 0 in a unit without stages.
 //
 // Cycles count from the first fragment accepted; those in which nothing is inside are added, as
 // `input_empty`, when the next fragment is accepted. An increment counts in its cycle
 // (but not in the first after reset).
 module ptm_unit_counters #(
   parameter int Tmus   = 3,
-  parameter int Stages = 0,  // mask of effect stages
-  localparam int Counters = ptm_unit_pkg::Counters
+  parameter int Stages = 0   // mask of effect stages
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -43,7 +42,9 @@ module ptm_unit_counters #(
   output logic [63:0]                       value_o  // of that counter, 0 if there is none
 );
   localparam int Wide   = 8;   // of an increment
-  localparam int Shared = 21;  // counters that no draw has of its own
+  // Counters that no draw has of its own lie before those of draws, and those of effects behind.
+  localparam int Shared = ptm_register_pkg::CountHitsD0Map;
+  localparam int Effects = ptm_register_pkg::CountMultipliesEffects;
 
   // Cycles
   logic        started_q;
@@ -98,27 +99,35 @@ module ptm_unit_counters #(
   end
 
   logic [Shared*Wide-1:0] step;
-  assign step[0*Wide +: Wide]  = Wide'(accepted_i);
-  assign step[1*Wide +: Wide]  = Wide'(taken_i);
-  assign step[2*Wide +: Wide]  = Wide'(counts);
-  assign step[3*Wide +: Wide]  = Wide'(counts && k_leaves_i);
-  assign step[4*Wide +: Wide]  = Wide'(counts && k_holds_i && !k_leaves_i && !f_accepts_i);
-  assign step[5*Wide +: Wide]  = Wide'(counts && k_holds_i && !k_leaves_i && f_accepts_i);
-  assign step[6*Wide +: Wide]  = Wide'(counts && !k_holds_i && t_waits_for_slots_i);
-  assign step[7*Wide +: Wide]  = Wide'(counts && !k_holds_i && !t_waits_for_slots_i);
-  assign step[8*Wide +: Wide]  = Wide'(k_leaves_i);
-  assign step[9*Wide +: Wide]  = Wide'(inc_conflicts_i);
-  assign step[10*Wide +: Wide] = Wide'(inc_words_i);
-  assign step[11*Wide +: Wide] = Wide'(inc_taps_i);
-  assign step[12*Wide +: Wide] = Wide'(hits_map) + Wide'(hits_color);
-  assign step[13*Wide +: Wide] = Wide'(misses_map) + Wide'(misses_color);
-  assign step[14*Wide +: Wide] = Wide'(inc_lines_i);
-  assign step[15*Wide +: Wide] = Wide'(duplicates);
-  assign step[16*Wide +: Wide] = Wide'(inc_palette_i);
-  assign step[17*Wide +: Wide] = Wide'(inc_multiplies_address_i);
-  assign step[18*Wide +: Wide] = Wide'(inc_multiplies_filter_i);
-  assign step[19*Wide +: Wide] = Wide'(inc_multiplies_eval_i);
-  assign step[20*Wide +: Wide] = Wide'(inc_multiplies_combine_i);
+  assign step[ptm_register_pkg::CountFragments*Wide +: Wide] = Wide'(accepted_i);
+  assign step[ptm_register_pkg::CountPixels*Wide +: Wide] = Wide'(taken_i);
+  assign step[ptm_register_pkg::CountCycles*Wide +: Wide] = Wide'(counts);
+  assign step[ptm_register_pkg::CountCyclesMoved*Wide +: Wide] = Wide'(counts && k_leaves_i);
+  assign step[ptm_register_pkg::CountCyclesOutputBlocked*Wide +: Wide] =
+      Wide'(counts && k_holds_i && !k_leaves_i && !f_accepts_i);
+  assign step[ptm_register_pkg::CountCyclesLineWait*Wide +: Wide] =
+      Wide'(counts && k_holds_i && !k_leaves_i && f_accepts_i);
+  assign step[ptm_register_pkg::CountCyclesRingFull*Wide +: Wide] =
+      Wide'(counts && !k_holds_i && t_waits_for_slots_i);
+  assign step[ptm_register_pkg::CountCyclesInputEmpty*Wide +: Wide] =
+      Wide'(counts && !k_holds_i && !t_waits_for_slots_i);
+  assign step[ptm_register_pkg::CountBeats*Wide +: Wide] = Wide'(k_leaves_i);
+  assign step[ptm_register_pkg::CountBankConflicts*Wide +: Wide] = Wide'(inc_conflicts_i);
+  assign step[ptm_register_pkg::CountWords*Wide +: Wide] = Wide'(inc_words_i);
+  assign step[ptm_register_pkg::CountTaps*Wide +: Wide] = Wide'(inc_taps_i);
+  assign step[ptm_register_pkg::CountTagHits*Wide +: Wide] = Wide'(hits_map) + Wide'(hits_color);
+  assign step[ptm_register_pkg::CountTagMisses*Wide +: Wide] =
+      Wide'(misses_map) + Wide'(misses_color);
+  assign step[ptm_register_pkg::CountLinesRead*Wide +: Wide] = Wide'(inc_lines_i);
+  assign step[ptm_register_pkg::CountDuplicateLines*Wide +: Wide] = Wide'(duplicates);
+  assign step[ptm_register_pkg::CountPaletteLookups*Wide +: Wide] = Wide'(inc_palette_i);
+  assign step[ptm_register_pkg::CountMultipliesAddress*Wide +: Wide] =
+      Wide'(inc_multiplies_address_i);
+  assign step[ptm_register_pkg::CountMultipliesFilter*Wide +: Wide] =
+      Wide'(inc_multiplies_filter_i);
+  assign step[ptm_register_pkg::CountMultipliesEval*Wide +: Wide] = Wide'(inc_multiplies_eval_i);
+  assign step[ptm_register_pkg::CountMultipliesCombine*Wide +: Wide] =
+      Wide'(inc_multiplies_combine_i);
 
   // Only those that move are written. The cycles bring the idle time before them. What stands in
   // them after reset is cleared in the cycle after it.
@@ -130,13 +139,15 @@ module ptm_unit_counters #(
   assign clear = clear_i || fresh_q;
   logic [63:0] count_q [Shared];
   for (genvar n = 0; n < Shared; n++) begin : gen_counter
+    localparam bit Idle = n == ptm_register_pkg::CountCycles ||
+                          n == ptm_register_pkg::CountCyclesInputEmpty;
     logic [Wide-1:0] increment;
     assign increment = step[n*Wide +: Wide];
     always_ff @(posedge clk_i) begin
       if (clear) begin
         count_q[n] <= 64'd0;
       end else if (increment != '0) begin
-        count_q[n] <= count_q[n] + 64'(increment) + (n == 2 || n == 7 ? idle_q : 64'd0);
+        count_q[n] <= count_q[n] + 64'(increment) + (Idle ? idle_q : 64'd0);
       end
     end
   end
@@ -167,7 +178,7 @@ module ptm_unit_counters #(
   always_comb begin
     value = 64'd0;
     if (number_i < 6'(Shared)) value = count_q[number_i[4:0]];
-    else if (number_i < 6'(Counters - 1)) value = draw_count_q[of_draws[3:0]];
+    else if (number_i < 6'(Effects)) value = draw_count_q[of_draws[3:0]];
   end
 
   if (Stages == 0) begin : gen_no_effects
@@ -180,7 +191,7 @@ module ptm_unit_counters #(
       if (clear) effects_q <= 64'd0;
       else if (inc_multiplies_effects_i != '0) effects_q <= effects_q + 64'(inc_multiplies_effects_i);
     end
-    assign value_o = number_i == 6'(Counters - 1) ? effects_q : value;
+    assign value_o = number_i == 6'(Effects) ? effects_q : value;
   end
 
   logic unused_bits;

@@ -4,7 +4,7 @@
 // writing 1 to it; one that is set and cleared in the same cycle is set. irq_o is high while any
 // bit is set whose enable bit is. It depends on registers alone.
 module ptm_unit_events #(
-  localparam int Events = ptm_unit_pkg::Events
+  localparam int Events = ptm_register_pkg::EventsW
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,

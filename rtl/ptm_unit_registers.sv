@@ -37,10 +37,10 @@ module ptm_unit_registers #(
   input  logic [7:0]  mem_error_tag_i,
   input  logic        mem_failed_i,  // a response says that its line could not be read
   input  logic        draining_i,    // the memory owes answers from before the reset
-  output logic [ptm_unit_pkg::LineBits-1:0] mem_base_o,  // is added to every request's line
+  output logic [ptm_register_pkg::LineBits-1:0] mem_base_o,  // is added to every request's line
   output logic [5:0]  counter_number_o,  // which counter the read address asks for
   input  logic [63:0] counter_i,         // its value, 0 if there is none of that number
-  input  logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities_i,  // word 0 lowest
+  input  logic [32*ptm_register_pkg::CapabilityWords-1:0] capabilities_i,  // word 0 lowest
   // Palettes
   output logic        pal_lrgb_we_o,
   output logic [10:0] pal_lrgb_addr_o,
@@ -48,36 +48,43 @@ module ptm_unit_registers #(
   output logic [14:0] pal_rgb_addr_o,
   output logic [31:0] pal_data_o
 );
-  localparam int DrawW     = ptm_unit_pkg::DrawW;
-  localparam int Draws     = ptm_unit_pkg::Draws;
-  localparam int LastLevel = ptm_unit_pkg::LevelsMax - 1;
+  localparam int DrawW     = ptm_register_pkg::DrawW;
+  localparam int Draws     = ptm_register_pkg::Draws;
+  localparam int LastLevel = ptm_register_pkg::LevelsMax - 1;
 
   // Writes. What fragments read: draws, commands that invalidate, the memory's lines, palettes,
   // effects' sets and tables
   logic locked, shared, we_shared, refused;
   logic we_draws, we_command, we_lines, we_base, we_events, we_enable;
+  `include "contract/ptm_shared_write.svh"
+  // An address's block; blocks are as long as a power of two and aligned to it.
+  localparam int DrawAt = $clog2(ptm_register_pkg::DrawSize);
+  localparam int LrgbAt = $clog2(ptm_register_pkg::LrgbPaletteSize);
+  localparam int RgbAt  = $clog2(ptm_register_pkg::RgbPaletteSize);
+  localparam logic [15:0] DrawBlock = ptm_register_pkg::DrawBlock;
+  localparam logic [15:0] LrgbBlock = ptm_register_pkg::LrgbPaletteBlock;
+  localparam logic [15:0] RgbBlock  = ptm_register_pkg::RgbPaletteBlock;
+  localparam int DrawStep = $clog2(ptm_register_pkg::DrawStride);  // of one draw's registers
+  logic in_draws;
+  assign in_draws = reg_addr_i[15:DrawAt] == DrawBlock[15:DrawAt];
   always_comb begin
     {shared, refused, we_shared}                         = '0;
     {we_draws, we_command, we_lines, we_base}            = '0;
     {we_events, we_enable}                               = '0;
     {pal_lrgb_we_o, pal_rgb_we_o, invalidate_o, clear_o} = '0;
     if (reg_we_i) begin
-      we_command    = reg_addr_i == 16'h1000;
-      we_events     = reg_addr_i == 16'h1008;
-      we_enable     = reg_addr_i == 16'h1009;
-      clear_o       = we_command && reg_wdata_i[1];
-      shared        = reg_addr_i[15:8] == 8'h00 || (we_command && reg_wdata_i[0]) ||
-                      reg_addr_i == 16'h1001 || reg_addr_i == 16'h1004 ||
-                      reg_addr_i[15:7] == 9'h050 ||
-                      reg_addr_i[15:10] == 6'h0c || reg_addr_i[15:11] == 5'b01000 ||
-                      reg_addr_i[15];
+      we_command    = reg_addr_i == ptm_register_pkg::CommandAddr;
+      we_events     = reg_addr_i == ptm_register_pkg::EventsAddr;
+      we_enable     = reg_addr_i == ptm_register_pkg::EnableAddr;
+      clear_o       = we_command && reg_wdata_i[ptm_register_pkg::CommandClearLow];
+      shared        = is_shared_write(reg_addr_i, reg_wdata_i);
       refused       = shared && locked;
       we_shared     = shared && !locked;
-      we_draws      = we_shared && reg_addr_i[15:8] == 8'h00;
-      we_lines      = we_shared && reg_addr_i == 16'h1001;
-      we_base       = we_shared && reg_addr_i == 16'h1004;
-      pal_lrgb_we_o = we_shared && reg_addr_i[15:11] == 5'b01000;
-      pal_rgb_we_o  = we_shared && reg_addr_i[15];
+      we_draws      = we_shared && in_draws;
+      we_lines      = we_shared && reg_addr_i == ptm_register_pkg::MemoryLinesAddr;
+      we_base       = we_shared && reg_addr_i == ptm_register_pkg::MemoryBaseAddr;
+      pal_lrgb_we_o = we_shared && reg_addr_i[15:LrgbAt] == LrgbBlock[15:LrgbAt];
+      pal_rgb_we_o  = we_shared && reg_addr_i[15:RgbAt] == RgbBlock[15:RgbAt];
       invalidate_o  = we_shared && we_command;
     end
   end
@@ -86,25 +93,16 @@ module ptm_unit_registers #(
   assign pal_rgb_addr_o  = reg_addr_i[14:0];
   assign pal_data_o      = reg_wdata_i;
 
-  logic [ptm_unit_pkg::LineBits:0] memory_lines_q;
+  localparam int LinesW = ptm_register_pkg::MemoryLinesLinesW;
+  logic [LinesW-1:0] memory_lines_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) memory_lines_q <= '0;
-    else if (we_lines) memory_lines_q <= reg_wdata_i[ptm_unit_pkg::LineBits:0];
+    else if (we_lines) memory_lines_q <= reg_wdata_i[LinesW-1:0];
   end
 
   // Draws, as one vector that only writes touch: put together of registers it took a third of the
   // unit's simulation time.
-  localparam int KsAt = ptm_unit_pkg::DrawKsAt, KdAt = ptm_unit_pkg::DrawKdAt;
-  localparam int KaAt = ptm_unit_pkg::DrawKaAt, PaletteAt = ptm_unit_pkg::DrawPaletteAt;
-  localparam int ShiftAt = ptm_unit_pkg::DrawShiftAt, BiasAt = ptm_unit_pkg::DrawBiasAt;
-  localparam int ColorAt = ptm_unit_pkg::DrawColorAt, MapAt = ptm_unit_pkg::DrawMapAt;
-  localparam int LodAt = ptm_unit_pkg::DrawLodAt, HasColorAt = ptm_unit_pkg::DrawHasColorAt;
-  localparam int CombineAt = ptm_unit_pkg::DrawCombineAt, WrapVAt = ptm_unit_pkg::DrawWrapVAt;
-  localparam int WrapUAt = ptm_unit_pkg::DrawWrapUAt, MipAt = ptm_unit_pkg::DrawMipAt;
-  localparam int BilinearAt = ptm_unit_pkg::DrawBilinearAt, FormatAt = ptm_unit_pkg::DrawFormatAt;
-  localparam int LineW = ptm_unit_pkg::LineBits, SideW = ptm_unit_pkg::SideBits;
-  localparam int LevelsAt = ptm_unit_pkg::LevelsAt;  // within a texture
-  localparam int HeightAt = ptm_unit_pkg::HeightAt, WidthAt = ptm_unit_pkg::WidthAt;
+  localparam int LineW = ptm_register_pkg::LineBits, SideW = ptm_register_pkg::SideBits;
 
   logic [Draws*DrawW-1:0] draws_q;
   logic [Draws-1:0]       we_control;
@@ -113,63 +111,24 @@ module ptm_unit_registers #(
     if (!rst_ni) draws_q <= '0;
     else if (we_draws) begin
       for (int d = 0; d < Draws; d++) begin
-        if (reg_addr_i[7:6] == 2'(d)) begin
-          case (reg_addr_i[5:0])
-            6'd0: begin
-              draws_q[d*DrawW+FormatAt +: 3]  <= reg_wdata_i[2:0];
-              draws_q[d*DrawW+MipAt +: 2]     <= reg_wdata_i[4:3];
-              draws_q[d*DrawW+BilinearAt]     <= reg_wdata_i[5];
-              draws_q[d*DrawW+WrapUAt +: 2]   <= reg_wdata_i[7:6];
-              draws_q[d*DrawW+WrapVAt +: 2]   <= reg_wdata_i[9:8];
-              draws_q[d*DrawW+CombineAt +: 3] <= reg_wdata_i[12:10];
-              draws_q[d*DrawW+HasColorAt]     <= reg_wdata_i[13];
-              draws_q[d*DrawW+PaletteAt +: 2] <= reg_wdata_i[15:14];
-            end
-            6'd1: begin
-              draws_q[d*DrawW+MapAt+WidthAt +: SideW]  <= reg_wdata_i[0 +: SideW];
-              draws_q[d*DrawW+MapAt+HeightAt +: SideW] <= reg_wdata_i[16 +: SideW];
-            end
-            6'd2: begin
-              draws_q[d*DrawW+ColorAt+WidthAt +: SideW]  <= reg_wdata_i[0 +: SideW];
-              draws_q[d*DrawW+ColorAt+HeightAt +: SideW] <= reg_wdata_i[16 +: SideW];
-            end
-            6'd3: begin
-              draws_q[d*DrawW+MapAt+LevelsAt +: 4]   <= reg_wdata_i[3:0];
-              draws_q[d*DrawW+ColorAt+LevelsAt +: 4] <= reg_wdata_i[11:8];
-              draws_q[d*DrawW+LodAt +: 13]           <= reg_wdata_i[28:16];
-            end
-            6'd10: begin
-              draws_q[d*DrawW+KaAt +: 9] <= reg_wdata_i[8:0];
-              draws_q[d*DrawW+KdAt +: 9] <= reg_wdata_i[17:9];
-              draws_q[d*DrawW+KsAt +: 9] <= reg_wdata_i[26:18];
-            end
+        if (reg_addr_i[DrawAt-1:DrawStep] == 2'(d)) begin
+          case (reg_addr_i[DrawStep-1:0])
+            `include "contract/ptm_draw_write.svh"
             default: ;
           endcase
-          for (int i = 0; i < 6; i++) begin
-            if (reg_addr_i[5:0] == 6'(4 + i)) begin
-              draws_q[d*DrawW+BiasAt+12*i +: 12] <= reg_wdata_i[11:0];
-              draws_q[d*DrawW+ShiftAt+5*i +: 5]  <= reg_wdata_i[20:16];
-            end
-          end
-          for (int l = 0; l <= LastLevel; l++) begin
-            if (reg_addr_i[5:0] == 6'(16 + l)) begin
-              draws_q[d*DrawW+MapAt+LineW*l +: LineW] <= reg_wdata_i[LineW-1:0];
-            end
-            if (reg_addr_i[5:0] == 6'(32 + l)) begin
-              draws_q[d*DrawW+ColorAt+LineW*l +: LineW] <= reg_wdata_i[LineW-1:0];
-            end
-          end
         end
       end
     end
   end
   always_comb begin
     we_control = '0;
-    if (we_draws && reg_addr_i[5:0] == 6'd0) we_control[reg_addr_i[7:6]] = 1'b1;
+    if (we_draws && reg_addr_i[DrawStep-1:0] == ptm_register_pkg::DrawControlOffset) begin
+      we_control[reg_addr_i[DrawAt-1:DrawStep]] = 1'b1;
+    end
   end
 
   // Effects
-  localparam int EffectW = ptm_unit_pkg::EffectW;
+  localparam int EffectW = ptm_register_pkg::EffectW;
   logic               active_q;      // a draw is checked,
   logic [1:0]         check_draw_q;  // this one
   logic [EffectW-1:0] effect;        // its
@@ -201,6 +160,12 @@ module ptm_unit_registers #(
   logic             beyond_q;  // error 4 so far
   logic [4*Draws-1:0] errors_q;
 
+  localparam int ColorAt  = ptm_register_pkg::DrawColorTextureAt;
+  localparam int MapAt    = ptm_register_pkg::DrawPtmAt;
+  localparam int WidthAt  = ptm_register_pkg::TextureWidthAt;  // in a texture_t
+  localparam int HeightAt = ptm_register_pkg::TextureHeightAt;
+  localparam int LevelsAt = ptm_register_pkg::TextureLevelsAt;
+  localparam int BaseAt   = ptm_register_pkg::TextureBaseAt;
   logic [2:0]       format, combine;
   logic [1:0]       mip, wrap_u, wrap_v;
   logic             color;
@@ -213,19 +178,22 @@ module ptm_unit_registers #(
     if (active_q) begin
       for (int d = 0; d < Draws; d++) begin
         if (check_draw_q == 2'(d)) begin
-          format  = draws_q[d*DrawW+FormatAt +: 3];
-          combine = draws_q[d*DrawW+CombineAt +: 3];
-          mip     = draws_q[d*DrawW+MipAt +: 2];
-          wrap_u  = draws_q[d*DrawW+WrapUAt +: 2];
-          wrap_v  = draws_q[d*DrawW+WrapVAt +: 2];
-          color   = draws_q[d*DrawW+HasColorAt];
-          {width, height, levels} = texture_q
-              ? draws_q[d*DrawW+ColorAt+LevelsAt +: 2*SideW+4]
-              : draws_q[d*DrawW+MapAt+LevelsAt +: 2*SideW+4];
+          format  = draws_q[d*DrawW+ptm_register_pkg::DrawFormatAt +: 3];
+          combine = draws_q[d*DrawW+ptm_register_pkg::DrawCombineAt +: 3];
+          mip     = draws_q[d*DrawW+ptm_register_pkg::DrawMipAt +: 2];
+          wrap_u  = draws_q[d*DrawW+ptm_register_pkg::DrawWrapUAt +: 2];
+          wrap_v  = draws_q[d*DrawW+ptm_register_pkg::DrawWrapVAt +: 2];
+          color   = draws_q[d*DrawW+ptm_register_pkg::DrawColorAt];
+          width   = texture_q ? draws_q[d*DrawW+ColorAt+WidthAt +: SideW]
+                              : draws_q[d*DrawW+MapAt+WidthAt +: SideW];
+          height  = texture_q ? draws_q[d*DrawW+ColorAt+HeightAt +: SideW]
+                              : draws_q[d*DrawW+MapAt+HeightAt +: SideW];
+          levels  = texture_q ? draws_q[d*DrawW+ColorAt+LevelsAt +: 4]
+                              : draws_q[d*DrawW+MapAt+LevelsAt +: 4];
           for (int l = 0; l <= LastLevel; l++) begin
             if (level_q == 4'(l)) begin
-              base = texture_q ? draws_q[d*DrawW+ColorAt+LineW*l +: LineW]
-                               : draws_q[d*DrawW+MapAt+LineW*l +: LineW];
+              base = texture_q ? draws_q[d*DrawW+ColorAt+BaseAt+LineW*l +: LineW]
+                               : draws_q[d*DrawW+MapAt+BaseAt+LineW*l +: LineW];
             end
           end
         end
@@ -307,55 +275,71 @@ module ptm_unit_registers #(
   end
 
   // Events
-  logic [ptm_unit_pkg::Events-1:0] causes, events, enable;
+  logic [ptm_register_pkg::EventsW-1:0] causes, events, enable;
   always_comb begin
-    causes                              = '0;
-    causes[ptm_unit_pkg::EventIdle]     = last_taken_i;
-    causes[ptm_unit_pkg::EventDraw]     = active_q && last && errors != '0;
-    causes[ptm_unit_pkg::EventTag]      = mem_error_i;
-    causes[ptm_unit_pkg::EventLine]     = mem_failed_i;
-    causes[ptm_unit_pkg::EventRefused]  = refused;
+    causes                                        = '0;
+    causes[ptm_register_pkg::EventsIdleLow]       = last_taken_i;
+    causes[ptm_register_pkg::EventsDrawErrorLow]  = active_q && last && errors != '0;
+    causes[ptm_register_pkg::EventsWrongTagLow]   = mem_error_i;
+    causes[ptm_register_pkg::EventsFailedLineLow] = mem_failed_i;
+    causes[ptm_register_pkg::EventsRefusedLow]    = refused;
   end
   ptm_unit_events u_events (
     .clk_i(clk_i), .rst_ni(rst_ni), .causes_i(causes), .we_events_i(we_events),
-    .we_enable_i(we_enable), .wdata_i(reg_wdata_i[ptm_unit_pkg::Events-1:0]), .events_o(events),
-    .enable_o(enable), .irq_o(irq_o)
+    .we_enable_i(we_enable), .wdata_i(reg_wdata_i[ptm_register_pkg::EventsW-1:0]),
+    .events_o(events), .enable_o(enable), .irq_o(irq_o)
   );
 
   // Where in the outer memory the unit's lines lie
-  logic [ptm_unit_pkg::LineBits-1:0] mem_base_q;
+  logic [ptm_register_pkg::LineBits-1:0] mem_base_q;
   assign mem_base_o = mem_base_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) mem_base_q <= '0;
-    else if (we_base) mem_base_q <= reg_wdata_i[ptm_unit_pkg::LineBits-1:0];
+    else if (we_base) mem_base_q <= reg_wdata_i[ptm_register_pkg::LineBits-1:0];
   end
 
   // Reading
   logic [31:0] draw_word;
   ptm_unit_draw_word u_draw_word (
-    .draws_i(draws_q), .read_i(reg_addr_i[15:8] == 8'h00), .addr_i(reg_addr_i[7:0]),
+    .draws_i(draws_q), .read_i(in_draws), .addr_i(reg_addr_i[DrawAt-1:0]),
     .data_o(draw_word)
   );
+  localparam int CounterAt = $clog2(ptm_register_pkg::CounterSize);
+  localparam int UnitAt    = $clog2(ptm_register_pkg::UnitSize);
+  localparam logic [15:0] CounterBlock = ptm_register_pkg::CounterBlock;
+  localparam logic [15:0] UnitBlock    = ptm_register_pkg::UnitBlock;
   assign counter_number_o = reg_addr_i[6:1];
   always_comb begin
     reg_rdata_o = '0;
-    if (reg_addr_i[15:7] == 9'h040) begin
-      reg_rdata_o = reg_addr_i[0] ? counter_i[63:32] : counter_i[31:0];
-    end else if (reg_addr_i[15:5] == 11'h080) begin  // 0x1000 to 0x101f
-      case (reg_addr_i[4:0])
-        5'h01: reg_rdata_o = 32'(memory_lines_q);
-        5'h02: reg_rdata_o = {4'd0, errors_q[15:12], 4'd0, errors_q[11:8], 4'd0, errors_q[7:4],
-                              4'd0, errors_q[3:0]};
-        5'h03: reg_rdata_o = {16'd0, mem_error_q ? mem_error_tag_q : 8'd0, 5'd0, draining_i,
-                              mem_error_q, busy_i || checking_o};
-        5'h04: reg_rdata_o = 32'(mem_base_q);
-        5'h08: reg_rdata_o = 32'(events);
-        5'h09: reg_rdata_o = 32'(enable);
-        5'h10: reg_rdata_o = ptm_unit_pkg::Magic;
-        5'h11: reg_rdata_o = ptm_unit_pkg::MapVersion;
+    if (reg_addr_i[15:CounterAt] == CounterBlock[15:CounterAt]) begin
+      reg_rdata_o = reg_addr_i[0] == ptm_register_pkg::CounterHighOffset ? counter_i[63:32]
+                                                                         : counter_i[31:0];
+    end else if (reg_addr_i[15:UnitAt] == UnitBlock[15:UnitAt]) begin
+      case (reg_addr_i[UnitAt-1:0])
+        ptm_register_pkg::MemoryLinesOffset: reg_rdata_o = 32'(memory_lines_q);
+        ptm_register_pkg::ErrorsOffset: begin
+          for (int d = 0; d < Draws; d++) begin
+            reg_rdata_o[ptm_register_pkg::ErrorsDrawLow+ptm_register_pkg::ErrorsDrawStep*d +: 4] =
+                errors_q[4*d +: 4];
+          end
+        end
+        ptm_register_pkg::StateOffset: begin
+          reg_rdata_o[ptm_register_pkg::StateBusyLow]     = busy_i || checking_o;
+          reg_rdata_o[ptm_register_pkg::StateWrongTagLow] = mem_error_q;
+          reg_rdata_o[ptm_register_pkg::StateDrainingLow] = draining_i;
+          reg_rdata_o[ptm_register_pkg::StateTagLow +: ptm_register_pkg::StateTagW] =
+              mem_error_q ? mem_error_tag_q : 8'd0;
+        end
+        ptm_register_pkg::MemoryBaseOffset: reg_rdata_o = 32'(mem_base_q);
+        ptm_register_pkg::EventsOffset: reg_rdata_o = 32'(events);
+        ptm_register_pkg::EnableOffset: reg_rdata_o = 32'(enable);
+        ptm_register_pkg::MagicOffset: reg_rdata_o = ptm_register_pkg::MagicReset;
+        ptm_register_pkg::VersionOffset: reg_rdata_o = ptm_register_pkg::VersionReset;
         default: begin
-          for (int n = 0; n < ptm_unit_pkg::CapabilityWords; n++) begin
-            if (reg_addr_i[4:0] == 5'(18 + n)) reg_rdata_o = capabilities_i[32*n +: 32];
+          for (int n = 0; n < ptm_register_pkg::CapabilityWords; n++) begin
+            if (reg_addr_i[UnitAt-1:0] == ptm_register_pkg::CapabilitiesOffset + UnitAt'(n)) begin
+              reg_rdata_o = capabilities_i[32*n +: 32];
+            end
           end
         end
       endcase

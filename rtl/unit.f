@@ -1,5 +1,7 @@
 // Modules of the texture unit that the evaluator has not; read after rtl/files.f. The stages of
 // effects and their chain (rtl/effects) are found by their names.
+rtl/contract/ptm_register_pkg.sv
+rtl/contract/ptm_format_pkg.sv
 rtl/ptm_unit_pkg.sv
 rtl/ptm_unit_front_pkg.sv
 rtl/ptm_ram.sv
@@ -55,6 +57,7 @@ rtl/ptm_multiply_count.sv
 rtl/ptm_effects.sv
 rtl/ptm_unit_back.sv
 rtl/ptm_draw_check.sv
+rtl/ptm_effect_word.sv
 rtl/ptm_effect_registers.sv
 rtl/ptm_unit_draw_word.sv
 rtl/ptm_unit_events.sv

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 
+#include "contract/generator/emit_registers.h"
 #include "contract/generator/output.h"
 #include "contract/generator/parameters.h"
 
@@ -10,6 +11,7 @@ namespace ptm::contract {
 /// Every table of the folder.
 struct Tables {
   Parameters parameters;
+  PortTables port;
 };
 
 /// Throws TableError.

@@ -27,13 +27,18 @@ void write(const fs::path& path, const std::string& text) {
 
 /// The page with the block in it; what it should say.
 std::string with_block(const std::string& page, const Output& output) {
-  const std::string begin = "<!-- contract: " + output.block + " -->\n", end = "<!-- end -->";
+  std::string begin = "<!-- contract: " + output.block + " -->\n", end = "<!-- end -->";
+  if (output.path.ends_with(".json")) {
+    begin = "\"$comment\": \"contract: " + output.block + "\",\n";
+    end = "\"description\": \"contract: end\"";
+  }
   const std::size_t from = page.find(begin);
-  const std::size_t to = from == std::string::npos ? from : page.find(end, from);
+  std::size_t to = from == std::string::npos ? from : page.find(end, from);
   if (to == std::string::npos) {
     throw std::runtime_error(output.path + ": found no lines " + begin.substr(0, begin.size() - 1) +
                              " and " + end);
   }
+  to = page.rfind('\n', to) + 1;  // the mark's line, from its indent on
   return page.substr(0, from + begin.size()) + output.text + page.substr(to);
 }
 

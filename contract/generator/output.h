@@ -11,7 +11,8 @@ struct Output {
     build,      ///< part of the build alone: under the output folder
     committed,  ///< kept in the repository
     block       ///< part of a page that is kept there, between "<!-- contract: NAME -->" and
-                ///< "<!-- end -->", each on a line of its own
+                ///< "<!-- end -->", each on a line of its own; of a JSON file between lines
+                ///< "$comment": "contract: NAME", and "description": "contract: end"
   };
   Kind kind = Kind::build;
   /// Of `build` within the output folder, else within the repository.

@@ -122,6 +122,17 @@ std::vector<std::string> Row::keys() const {
   return all;
 }
 
+std::vector<Row> Row::rows(std::string_view key) const {
+  std::vector<Row> all;
+  if (!has(key)) return all;
+  for (const toml::node& element : array(key)) {
+    const toml::table* found = element.as_table();
+    if (!found) fail(key, "found " + kind_of(element) + ", expected tables");
+    all.emplace_back(file_, *found);
+  }
+  return all;
+}
+
 std::string Row::text_or(std::string_view key, std::string_view otherwise) const {
   return has(key) ? text(key) : std::string(otherwise);
 }

@@ -39,6 +39,8 @@ class Row {
   /// A table within this one, and the names of its keys in the order of the file.
   [[nodiscard]] Row table(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> keys() const;
+  /// The tables of an array, [[row.key]] or inline, in the order of the file; none if it is absent.
+  [[nodiscard]] std::vector<Row> rows(std::string_view key) const;
 
   /// The key may be absent.
   [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;

@@ -2,13 +2,14 @@
 #include <cstdint>
 #include <optional>
 
+#include "contract/registers.h"
 #include "model/reference/eval_config.h"
 #include "model/reference/integer.h"
 
 namespace ptm::reference {
 
 inline constexpr int kCoordinateFrac = 20;  ///< texture coordinates are Q8.20 with a sign
-inline constexpr int kLargestSide = 4096;   ///< texels a side that the unit can address
+using contract::kLargestSide;
 
 /// What the unit is asked at one pixel; twin of the fragment stream of docs/spec/pipeline.md.
 struct Fragment {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/reference/fragment.h"
+#include "model/reference/texel_format.h"
 
 namespace ptm::reference {
 namespace {
@@ -33,12 +34,14 @@ TextureLayout layout_of(const EvalConfig& config, const StoredTexture& texture) 
                                 std::to_string(texture.height) + " texels, expected at most " +
                                 std::to_string(kLargestSide) + " a side");
   }
-  return {texture.width, texture.height, texture.rgb ? 6 : 3, std::max(8, config.coef_bits)};
+  return {texture.width, texture.height, map_planes(map_format(texture.rgb)),
+          std::max(8, config.coef_bits)};
 }
 
 std::vector<std::uint32_t> pack_texture(const TextureLayout& layout, const StoredTexture& texture) {
   std::vector<std::uint32_t> words(layout.words());
-  const std::size_t polynomials = texture.rgb ? 3 : 1;
+  const auto polynomials =
+      static_cast<std::size_t>(format_row(map_format(texture.rgb)).polynomials);
   std::size_t texel = 0;
   for (std::uint64_t y = 0; y < static_cast<std::uint64_t>(layout.height); ++y) {
     for (std::uint64_t x = 0; x < static_cast<std::uint64_t>(layout.width); ++x, ++texel) {

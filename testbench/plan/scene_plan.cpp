@@ -6,6 +6,7 @@
 
 #include "model/reference/unit/unit_beats.h"
 #include "testbench/plan/effect_rows.h"
+#include "testbench/plan/golden_codes.h"
 
 namespace ptm::testbench {
 namespace {
@@ -17,12 +18,6 @@ using reference::UnitCounter;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-TextureFormat map_format(const golden::LoadedTexture& map, const golden::TextureSpec& spec) {
-  const bool rgb = map.polynomials == 3;
-  if (spec.palette != 0) return rgb ? TextureFormat::palette_rgb : TextureFormat::palette_lrgb;
-  return rgb ? TextureFormat::rgb : TextureFormat::lrgb;
-}
-
 /// A descriptor that lacks addresses and grids: what a fragment counts does not depend on them.
 Draw outline(const golden::DrawSpec& spec, const golden::UnitScene& scene,
              const golden::LoadedTextures& textures, const golden::DrawExtras& extras) {
@@ -30,12 +25,13 @@ Draw outline(const golden::DrawSpec& spec, const golden::UnitScene& scene,
   Draw draw;
   draw.format = TextureFormat::none;
   if (spec.map >= 0) {
-    draw.format = map_format(textures[index(spec.map)], scene.textures[index(spec.map)]);
+    draw.format = reference::map_format(textures[index(spec.map)].polynomials == 3,
+                                        scene.textures[index(spec.map)].palette != 0);
   }
   draw.color = spec.color >= 0;
   draw.bilinear = spec.filter.bilinear;
-  draw.mip = static_cast<reference::Mip>(spec.filter.mip);
-  draw.combine = static_cast<reference::Combine>(spec.combine);
+  draw.mip = mip_of(spec.filter.mip);
+  draw.combine = combine_of(spec.combine);
   draw.map = {.width = side, .height = side, .levels = levels};
   draw.color_texture = draw.map;
   draw.effects = planned_effects(spec, extras);
@@ -54,9 +50,7 @@ reference::UnitFragment off_centre(bool levels_apart, int probes_log2) {
 
 /// Cycles that a footprint's first beat stays for its palette's look-ups, beyond the first.
 int look_ups_more(const Draw& draw, const UnitConfig& unit, const reference::Footprint& footprint) {
-  int ports = 0;
-  if (draw.format == TextureFormat::palette_lrgb) ports = unit.palette_lrgb_ports;
-  if (draw.format == TextureFormat::palette_rgb) ports = unit.palette_rgb_ports;
+  const int ports = reference::palette_ports(draw.format, unit);
   if (ports == 0 || !footprint.fetched) return 0;
   return (std::popcount(footprint.taps()) + ports - 1) / ports - 1;
 }

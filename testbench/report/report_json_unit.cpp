@@ -35,8 +35,8 @@ Json timing_json(const reference::UnitConfig& config, const UnitTiming& timing) 
   for (std::size_t n = 0; n < reference::kUnitCounters; ++n) {
     if (!knows(timing, n)) continue;
     if (!timing.estimate && !has_counter(config, n)) continue;
-    const bool effects = n == static_cast<std::size_t>(reference::UnitCounter::multiplies_effects);
-    if (effects && timing.counters.value[n] == 0) continue;
+    const bool spared = contract::spared_counter(static_cast<reference::UnitCounter>(n));
+    if (spared && timing.counters.value[n] == 0) continue;
     counters[std::string(reference::unit_counter_names()[n])] = timing.counters.value[n];
   }
   return {{"seconds", timing.seconds},

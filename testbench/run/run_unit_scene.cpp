@@ -26,8 +26,9 @@ std::vector<Counter> named(const reference::UnitConfig& unit,
   std::vector<Counter> list;
   for (std::size_t i = 0; i < counters.value.size(); ++i) {
     if (!has_counter(unit, i)) continue;
-    const bool effects = i == static_cast<std::size_t>(reference::UnitCounter::multiplies_effects);
-    if (effects && counters.value[i] == 0) continue;  // a scene without them has no row for them
+    // A scene without effects has no row for theirs.
+    const bool spared = contract::spared_counter(static_cast<reference::UnitCounter>(i));
+    if (spared && counters.value[i] == 0) continue;
     list.push_back({std::string(reference::unit_counter_names()[i]), counters.value[i]});
   }
   return list;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "model/pipeline/simulate.h"
+#include "model/reference/texel_format.h"
 #include "testbench/rtl/verilated_evaluator.h"
 #include "testbench/run/stopwatch.h"
 
@@ -92,8 +93,9 @@ FrameResult stream_frame(RtlEvaluator& rtl, const FlatJob& job,
     frame.cycles.push_back(cycle);
   };
   // The words come from software, as fast as the pipeline's ideal memory lets them.
-  const unsigned passes = texture.rgb ? 3 : 1;
-  const int beats = ((texture.rgb ? 6 : 3) + job.tmus - 1) / job.tmus;
+  const contract::FormatRow& format = reference::format_row(reference::map_format(texture.rgb));
+  const auto passes = static_cast<unsigned>(format.passes);
+  const int beats = (format.planes + job.tmus - 1) / job.tmus;
   const auto idle = static_cast<Cycle>(std::max(0, beats - static_cast<int>(passes)));
   const pipeline::StreamTiming timing{.idle = idle, .group = passes};
   RtlCounters counters;
@@ -118,7 +120,7 @@ FrameResult stream_frame(RtlEvaluator& rtl, const FlatJob& job,
   }
   frame.first_operand = idle;
   frame.total_cycles = frame.evaluator_cycles = counters.cycles;
-  frame.multiplies = counters.beats * (texture.rgb ? 8 : 11);
+  frame.multiplies = counters.beats * (format.multiplies / passes);
   frame.input_stalled = counters.input_stalled;
   frame.output_blocked = counters.output_blocked;
   return frame;

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "testbench/plan/golden_codes.h"
 #include "testbench/run/hardware_map.h"
 #include "testbench/run/unit_job.h"
 #include "testbench/run/unit_map.h"
@@ -77,10 +78,10 @@ class StateBuilder {
     reference::Draw draw;
     draw.format = TextureFormat::none;
     draw.bilinear = spec.filter.bilinear;
-    draw.mip = static_cast<reference::Mip>(spec.filter.mip);
-    draw.wrap_u = static_cast<reference::Wrap>(spec.wrap_u);
-    draw.wrap_v = static_cast<reference::Wrap>(spec.wrap_v);
-    draw.combine = static_cast<reference::Combine>(spec.combine);
+    draw.mip = mip_of(spec.filter.mip);
+    draw.wrap_u = wrap_of(spec.wrap_u);
+    draw.wrap_v = wrap_of(spec.wrap_v);
+    draw.combine = combine_of(spec.combine);
     draw.ka = weight(spec.ka);
     draw.kd = weight(spec.kd);
     draw.ks = weight(extras.ks);
@@ -192,7 +193,7 @@ class StateBuilder {
       held = hold_palette(index, strength);
     } else {
       held.map = store_unit_map(real_texture(texture(index)), levels_of(index), config_, strength);
-      held.placed = placed_map(held.map, held.map.rgb ? TextureFormat::rgb : TextureFormat::lrgb);
+      held.placed = placed_map(held.map, reference::map_format(held.map.rgb));
     }
     // Not refused: an effect may ask for such coefficients, and what is above white stays white.
     const std::string beyond = beyond_hardware(held.map.rms_error);
@@ -232,8 +233,7 @@ class StateBuilder {
     Held held;
     held.map = store_unit_palette(real_texture(texture(index)), levels_of(index), entries, config_,
                                   strength);
-    held.placed =
-        placed_map(held.map, rgb ? TextureFormat::palette_rgb : TextureFormat::palette_lrgb);
+    held.placed = placed_map(held.map, reference::map_format(rgb, true));
     if (rgb) {
       if (!state_.palettes.rgb.empty()) refuse(spec, "a second RGB palette", "at most one");
       set_rgb_palette(config_, held.map.palette, state_.palettes);

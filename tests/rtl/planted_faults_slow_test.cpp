@@ -138,8 +138,9 @@ INSTANTIATE_TEST_SUITE_P(
               "assign locked          = busy_i || accepted_i;", "assign locked = 1'b0;"},
         Fault{"ReadBackOfTheWrongDraw", "rtl/ptm_unit_draw_word.sv",
               "if (addr_i[7:6] == 2'(d)) begin", "if (addr_i[7:6] == 2'(d ^ 1)) begin"},
-        Fault{"CapabilityMisplaced", "rtl/ptm_unit_capabilities.sv", "7'd0, 9'(MissFifo), 5'd0",
-              "6'd0, 9'(MissFifo), 6'd0"}),
+        Fault{"CapabilityMisplaced", "rtl/ptm_unit_registers.sv",
+              "reg_rdata_o = capabilities_i[32*n +: 32];",
+              "reg_rdata_o = {capabilities_i[32*n +: 31], 1'b0};"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(PlantedRegisters, AreNoticedBecauseTheRightUnitReplays) {

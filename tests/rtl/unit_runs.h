@@ -83,7 +83,7 @@ inline void expect_sound(const reference::UnitCounters& c, std::size_t fragments
   EXPECT_EQ(c[UnitCounter::beats], c[UnitCounter::cycles_moved]);
   EXPECT_EQ(c[UnitCounter::lines_read], c[UnitCounter::tag_misses]);
   std::uint64_t hits = 0, misses = 0;
-  const auto first = static_cast<std::size_t>(UnitCounter::texture_first);
+  const auto first = static_cast<std::size_t>(reference::kFirstTextureCounter);
   for (std::size_t n = first; n < first + 4 * reference::kDraws; n += 2) {
     hits += c.value[n];
     misses += c.value[n + 1];

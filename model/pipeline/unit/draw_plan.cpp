@@ -21,13 +21,15 @@ TexturePlan plan_texture(const TextureLevels& levels, int texture, int planes) {
   return plan;
 }
 
+constexpr std::size_t index_of(contract::WordKind kind) { return static_cast<std::size_t>(kind); }
+
 /// Fields that are filtered of a word.
 unsigned fields_of(TextureFormat format, const WordPlan& word) {
-  if (word.texture == 1) return 4;
-  if (word.plane >= static_cast<unsigned>(reference::map_planes(format))) return 3;  // a set's
-  if (format == TextureFormat::palette_lrgb) return 9;
-  if (format == TextureFormat::palette_rgb) return 18;
-  return format == TextureFormat::lrgb && word.plane == 2 ? 4 : 3;
+  if (word.texture == 1) return contract::kWordFields[index_of(contract::WordKind::color)];
+  const auto kind = word.plane < static_cast<unsigned>(reference::map_planes(format))
+                        ? reference::format_row(format).word[word.plane].kind
+                        : contract::WordKind::coefficients;  // a set's
+  return contract::kWordFields[index_of(kind)];
 }
 
 /// The map's own planes, the colour texture, the planes of sets.
@@ -73,17 +75,12 @@ DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit,
   const auto lanes = static_cast<unsigned>(unit.eval_lanes);
   const auto passes = static_cast<unsigned>(reference::draw_passes(draw));
   plan.passes = (passes + lanes - 1) / lanes;
-  if (draw.format == TextureFormat::palette_lrgb) {
-    plan.palette_ports = static_cast<unsigned>(unit.palette_lrgb_ports);
-  } else if (draw.format == TextureFormat::palette_rgb) {
-    plan.palette_ports = static_cast<unsigned>(unit.palette_rgb_ports);
-  }
+  plan.palette_ports = static_cast<unsigned>(reference::palette_ports(draw.format, unit));
   plan.beat[0].palette_ports = plan.palette_ports;  // the map's only own word is word 0
   plan.extra_passes = static_cast<unsigned>(draw.effects.passes);
   plan.effects = plan.extra_passes != 0 || unit.stages != 0;
   plan.beats_alone = plan.passes == 1 && plan.palette_ports == 0 && !plan.effects;
-  if (draw.format != TextureFormat::none) plan.eval_multiplies = passes == 3 ? 24 : 11;
-  plan.eval_multiplies += 8 * plan.extra_passes;
+  plan.eval_multiplies = reference::format_row(draw.format).multiplies + 8 * plan.extra_passes;
   plan.effect_multiplies = reference::effects::stage_multiplies(eval, draw);
   constexpr std::array<unsigned, 6> kCombine{0, 3, 6, 6, 0, 0};
   plan.combine_multiplies = kCombine[static_cast<std::size_t>(draw.combine)];

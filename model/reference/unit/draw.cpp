@@ -19,9 +19,9 @@ unsigned check_sizes(const TextureLevels& texture) {
 }
 
 unsigned check_control(const Draw& draw) {
-  const bool known = draw.format <= TextureFormat::palette_rgb && draw.mip <= Mip::linear &&
-                     draw.wrap_u <= Wrap::clamp && draw.wrap_v <= Wrap::clamp &&
-                     draw.combine <= Combine::replace;
+  const bool known = draw.format <= contract::kLastFormat && draw.mip <= contract::kLastMip &&
+                     draw.wrap_u <= contract::kLastWrap && draw.wrap_v <= contract::kLastWrap &&
+                     draw.combine <= contract::kLastCombine;
   const bool needs_color = draw.combine != Combine::none;
   const bool needs_replace = draw.format == TextureFormat::none;
   const bool complete =
@@ -34,8 +34,7 @@ bool fits(int value, int most) { return value >= 0 && value <= most; }
 /// A pass that the draw runs.
 bool pass_is_legal(const Draw& draw, const ExtraPass& pass, const UnitConfig& unit) {
   if (!fits(pass.set, draw.effects.sets) || (pass.half && !unit.half_vector)) return false;
-  return pass.set != 0 || draw.format == TextureFormat::lrgb ||
-         draw.format == TextureFormat::palette_lrgb;
+  return pass.set != 0 || format_row(draw.format).polynomials == 1;
 }
 
 unsigned check_effects(const Draw& draw, const UnitConfig& unit) {

@@ -5,19 +5,19 @@
 #include "model/reference/eval_config.h"
 #include "model/reference/fragment.h"
 #include "model/reference/luminance.h"
+#include "model/reference/texel_format.h"
 #include "model/reference/unit/unit_config.h"
 
 /// Draw descriptors: docs/spec/unit.md, "Draw descriptor". Enumerators are the registers' codes.
 namespace ptm::reference {
 
-inline constexpr int kDraws = 4;
-inline constexpr int kLevelsMax = 13;
-inline constexpr int kLineBits = 26;
+using contract::kDraws;
+using contract::kLevelsMax;
+using contract::kLineBits;
 
-enum class TextureFormat : std::uint8_t { none, lrgb, rgb, palette_lrgb, palette_rgb };
-enum class Mip : std::uint8_t { none, nearest, linear };
-enum class Wrap : std::uint8_t { repeat, mirror, clamp };
-enum class Combine : std::uint8_t { none, modulate, decal, blend, add, replace };
+using contract::Combine;
+using contract::Mip;
+using contract::Wrap;
 
 /// One texture as the unit addresses it.
 struct TextureLevels {
@@ -33,7 +33,8 @@ struct TextureLevels {
   }
 };
 
-inline constexpr int kExtraSets = 4, kExtraPasses = 4;
+inline constexpr int kExtraSets = contract::kExtraSetsMax;
+inline constexpr int kExtraPasses = contract::kExtraPassesMax;
 
 /// An evaluator pass beyond the map's own: docs/spec/effects.md, "Draw".
 struct ExtraPass {
@@ -69,11 +70,6 @@ struct Draw {
   bool operator==(const Draw&) const = default;
 };
 
-/// Planes of 32-bit words of the map's own polynomials and colour, 0 for none.
-[[nodiscard]] constexpr int map_planes(TextureFormat format) {
-  constexpr std::array<int, 8> planes{0, 3, 6, 1, 1, 0, 0, 0};  // the register has three bits
-  return planes[static_cast<std::size_t>(format)];
-}
 /// Planes of the map's array of lines: its own and two of each extra set.
 [[nodiscard]] constexpr int array_planes(const Draw& draw) {
   return map_planes(draw.format) + 2 * draw.effects.sets;
@@ -83,8 +79,17 @@ struct Draw {
   return array_planes(draw) + (draw.color ? 1 : 0);
 }
 /// Evaluator passes of one fragment that are the map's own.
-[[nodiscard]] constexpr int draw_passes(const Draw& draw) {
-  return draw.format == TextureFormat::rgb || draw.format == TextureFormat::palette_rgb ? 3 : 1;
+[[nodiscard]] constexpr int draw_passes(const Draw& draw) { return format_row(draw.format).passes; }
+/// Ports of the palette whose index a map's word holds; 0 for formats without one.
+[[nodiscard]] constexpr int palette_ports(TextureFormat format, const UnitConfig& unit) {
+  switch (format_row(format).palette) {
+    case contract::PaletteKind::lrgb:
+      return unit.palette_lrgb_ports;
+    case contract::PaletteKind::rgb:
+      return unit.palette_rgb_ports;
+    default:
+      return 0;
+  }
 }
 /// All that effects have to do with a fragment of the draw: without, effects.md is of no concern.
 [[nodiscard]] constexpr bool has_effects(const Draw& draw) {

@@ -58,7 +58,7 @@ void combine(const Config& constant, const Draw& draw, Trace& trace) {
         static_cast<std::uint8_t>(combine_channel(config.rounding, draw.combine, in));
   }
   Value alpha = 255;
-  if (draw.format == TextureFormat::lrgb) {
+  if (format_row(draw.format).alpha) {
     alpha = narrow_constant(config.rounding, trace.filtered[kMapAlphaField], config.filter_frac);
   }
   if (draw.combine == Combine::replace) alpha = trace.color[3];

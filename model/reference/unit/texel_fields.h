@@ -11,7 +11,7 @@ inline constexpr unsigned kFields = kSetField + 6 * kExtraSets;
 /// texture's R G B A, 26 + 6 s + i coefficient i of set s.
 using Fields = std::array<Value, kFields>;
 
-enum class WordKind : std::uint8_t { coefficients, color, palette_lrgb, palette_rgb };
+using contract::WordKind;
 
 /// A word of a draw.
 struct WordUse {
@@ -22,8 +22,7 @@ struct WordUse {
 
   /// How many fields come of it.
   [[nodiscard]] constexpr unsigned fields() const {
-    constexpr std::array<unsigned, 4> count{3, 4, 9, 18};
-    return count[static_cast<std::size_t>(kind)];
+    return contract::kWordFields[static_cast<std::size_t>(kind)];
   }
 };
 
@@ -31,11 +30,8 @@ struct WordUse {
 [[nodiscard]] constexpr WordUse own_word_use(const Draw& draw, int word) {
   const int planes = map_planes(draw.format);
   if (word == planes) return {WordKind::color, 1, 0, kColorField};
-  if (draw.format == TextureFormat::palette_lrgb) return {WordKind::palette_lrgb, 0, 0, 0};
-  if (draw.format == TextureFormat::palette_rgb) return {WordKind::palette_rgb, 0, 0, 0};
-  const bool color = draw.format == TextureFormat::lrgb && word == 2;
-  if (color) return {WordKind::color, 0, word, kMapColorField};
-  return {WordKind::coefficients, 0, word, 3 * static_cast<unsigned>(word)};
+  const contract::FormatWord& own = format_row(draw.format).word[static_cast<std::size_t>(word)];
+  return {own.kind, 0, word, own.field};
 }
 
 /// Plane 0 .. 2 sets - 1 of a draw's sets.

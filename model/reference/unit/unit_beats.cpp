@@ -86,8 +86,7 @@ unsigned combine_multiplies(Combine combine) {
 }
 
 bool is_palette(const Draw& draw, const BeatWord& word) {
-  return word.word == 0 &&
-         (draw.format == TextureFormat::palette_lrgb || draw.format == TextureFormat::palette_rgb);
+  return word.word == 0 && format_row(draw.format).palette != contract::PaletteKind::none;
 }
 
 void count_beat(const Draw& draw, const UnitFragment& fragment, const Beat& beat,
@@ -166,9 +165,7 @@ void count_fragment(const Draw& draw, const UnitFragment& fragment, const UnitCo
   for (const Beat& beat : fragment_beats(draw, fragment, config)) {
     count_beat(draw, fragment, beat, counters);
   }
-  if (draw.format != TextureFormat::none) {
-    counters[UnitCounter::multiplies_eval] += draw_passes(draw) == 3 ? 24U : 11U;
-  }
+  counters[UnitCounter::multiplies_eval] += format_row(draw.format).multiplies;
   counters[UnitCounter::multiplies_eval] += 8 * static_cast<unsigned>(draw.effects.passes);
   counters[UnitCounter::multiplies_combine] += combine_multiplies(draw.combine);
   counters[UnitCounter::multiplies_effects] += effects::stage_multiplies(eval, draw);

@@ -4,50 +4,33 @@
 #include <cstdint>
 #include <string_view>
 
+#include "contract/counters.h"
 #include "model/reference/unit/draw.h"
 
 namespace ptm::reference {
 
-/// Counter numbers of docs/spec/unit-timing.md; the registers' order.
-enum class UnitCounter : std::uint8_t {
-  fragments,
-  pixels,
-  cycles,
-  cycles_moved,
-  cycles_output_blocked,
-  cycles_line_wait,
-  cycles_ring_full,
-  cycles_input_empty,
-  beats,
-  bank_conflicts,
-  words,
-  taps,
-  tag_hits,
-  tag_misses,
-  lines_read,
-  duplicate_lines,
-  palette_lookups,
-  multiplies_address,
-  multiplies_filter,
-  multiplies_eval,
-  multiplies_combine,
-  texture_first,  ///< of four a draw
-  multiplies_effects = texture_first + 4 * kDraws
-};
-inline constexpr std::size_t kUnitCounters = 22 + 4 * kDraws;
+using contract::kUnitCounters;
+/// Counter numbers of docs/spec/unit-timing.md, the registers' order: contract/counters.toml.
+using contract::UnitCounter;
 
-/// Names, in order; from texture_first on "hits_d0_map", "misses_d0_map", "hits_d0_color", ...
-[[nodiscard]] const std::array<std::string_view, kUnitCounters>& unit_counter_names();
+/// Names, in order.
+[[nodiscard]] constexpr const std::array<std::string_view, kUnitCounters>& unit_counter_names() {
+  return contract::kUnitCounterNames;
+}
+
+/// The first of those that each draw has for each of its textures: hits, then misses.
+inline constexpr auto kFirstTextureCounter = UnitCounter::hits_d0_map;
+static_assert(static_cast<int>(UnitCounter::misses_d3_color) ==
+              static_cast<int>(kFirstTextureCounter) + 4 * kDraws - 1);
 
 /// Whether a unit of those parameters has that counter, n < kUnitCounters. One that it has not
 /// reads as 0 in every model. (multiplies_effects is 0 in a unit without stages and is had all the
 /// same.)
-[[nodiscard]] constexpr bool has_counter(const UnitConfig& unit, std::size_t n) {
-  return unit.counters &&
-         (unit.duplicate_lines || n != static_cast<std::size_t>(UnitCounter::duplicate_lines));
-}
 [[nodiscard]] constexpr bool has_counter(const UnitConfig& unit, UnitCounter n) {
-  return has_counter(unit, static_cast<std::size_t>(n));
+  return unit.counters && contract::built_counter(unit, n);
+}
+[[nodiscard]] constexpr bool has_counter(const UnitConfig& unit, std::size_t n) {
+  return has_counter(unit, static_cast<UnitCounter>(n));
 }
 
 struct UnitCounters {
@@ -74,7 +57,8 @@ struct UnitCounters {
 
  private:
   static std::size_t at(int draw, int texture) {
-    return static_cast<std::size_t>(21 + 4 * draw + 2 * texture);
+    return static_cast<std::size_t>(static_cast<int>(kFirstTextureCounter) + 4 * draw +
+                                    2 * texture);
   }
 };
 

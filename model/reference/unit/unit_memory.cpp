@@ -30,6 +30,11 @@ void require_fields(const EvalConfig& config, std::span<const std::uint16_t> coe
   for (const std::uint16_t c : coef) require_at_most("a coefficient", c, most);
 }
 
+/// Of a texel.
+std::size_t coefficients(TextureFormat format) {
+  return 6 * static_cast<std::size_t>(format_row(format).polynomials);
+}
+
 /// Texels of a level, and how many lines they take. Base is filled in.
 template <class Level>
 TextureLevels level_sizes(std::span<const Level> levels, int planes, std::size_t memory_lines) {
@@ -116,7 +121,8 @@ void require_map(const EvalConfig& config, std::span<const StoredTexture> levels
   const bool rgb = levels[0].rgb;
   for (const StoredTexture& level : levels) {
     require_equal("rgb of a level", level.rgb ? 1 : 0, rgb ? 1 : 0);
-    require_equal("coefficients of a level", level.coef.size(), texels(level) * (rgb ? 18 : 6));
+    require_equal("coefficients of a level", level.coef.size(),
+                  texels(level) * coefficients(map_format(rgb)));
     if (!rgb) require_equal("colours of a level", level.color.size(), texels(level) * 3);
     require_fields(config, level.coef);
   }
@@ -128,7 +134,8 @@ void require_palette_map(std::span<const StoredPaletteMap> levels) {
     require_equal("rgb of a level", level.rgb ? 1 : 0, rgb ? 1 : 0);
     require_equal("indices of a level", level.index.size(), texels(level));
     if (!rgb) require_equal("colours of a level", level.color.size(), texels(level) * 3);
-    for (const std::uint16_t i : level.index) require_at_most("an index", i, rgb ? 4095 : 255);
+    for (const std::uint16_t i : level.index)
+      require_at_most("an index", i, (rgb ? kRgbEntries : kLrgbEntries) - 1);
   }
 }
 
@@ -170,8 +177,8 @@ TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture
 TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
                          std::span<const StoredSet> sets, std::vector<Line>& memory) {
   const bool rgb = !levels.empty() && levels[0].rgb;
-  const auto own =
-      static_cast<std::size_t>(map_planes(rgb ? TextureFormat::rgb : TextureFormat::lrgb));
+  const contract::FormatRow& format = format_row(map_format(rgb));
+  const auto own = static_cast<std::size_t>(format.planes);
   const int planes = static_cast<int>(planes_with(own, sets));
   const TextureLevels at = level_sizes(levels, planes, memory.size());
   require_map(config, levels);
@@ -179,8 +186,11 @@ TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture
   const int bits = field_bits(config);
   write_levels(at, planes, memory, [&](std::size_t l, std::size_t texel, std::size_t plane) {
     if (plane >= own) return set_word(config, sets, l, texel, plane - own);
-    const std::size_t word = rgb ? texel * 6 + plane : texel * 2 + plane;
-    if (rgb || plane < 2) return three_fields(&levels[l].coef[word * 3], bits);
+    const contract::FormatWord& word = format.word[plane];
+    if (word.kind == contract::WordKind::coefficients) {
+      const std::size_t first = texel * coefficients(map_format(rgb)) + word.field;
+      return three_fields(&levels[l].coef[first], bits);
+    }
     const std::uint8_t* color = &levels[l].color[texel * 3];
     return four_bytes(color[0], color[1], color[2], 255);
   });
@@ -194,12 +204,14 @@ TextureLevels append_palette_map(std::span<const StoredPaletteMap> levels,
 
 TextureLevels append_palette_map(const EvalConfig& config, std::span<const StoredPaletteMap> levels,
                                  std::span<const StoredSet> sets, std::vector<Line>& memory) {
-  const int planes = static_cast<int>(planes_with(1, sets));
+  const bool rgb = !levels.empty() && levels[0].rgb;
+  const auto own = static_cast<std::size_t>(map_planes(map_format(rgb, true)));
+  const int planes = static_cast<int>(planes_with(own, sets));
   const TextureLevels at = level_sizes(levels, planes, memory.size());
   require_palette_map(levels);
   require_sets(config, at, sets);
   write_levels(at, planes, memory, [&](std::size_t l, std::size_t texel, std::size_t plane) {
-    if (plane > 0) return set_word(config, sets, l, texel, plane - 1);
+    if (plane >= own) return set_word(config, sets, l, texel, plane - own);
     const unsigned index = levels[l].index[texel];
     if (levels[l].rgb) return index;
     const std::uint8_t* color = &levels[l].color[texel * 3];

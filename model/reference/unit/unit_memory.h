@@ -14,7 +14,8 @@ namespace ptm::reference {
 inline constexpr std::size_t kLineWords = 16;
 using Line = std::array<std::uint32_t, kLineWords>;  ///< a 4 x 4 tile of words, row by row
 
-inline constexpr std::size_t kLrgbEntries = 256, kRgbEntries = 4096;
+inline constexpr std::size_t kLrgbEntries = std::size_t{1} << contract::kLrgbIndexBits;
+inline constexpr std::size_t kRgbEntries = std::size_t{1} << contract::kRgbIndexBits;
 
 /// The line that the unit asks the outer memory for, for its line l: docs/spec/unit.md,
 /// "Registers".
@@ -29,7 +30,7 @@ struct Palettes {
   std::vector<std::array<std::uint32_t, 6>> rgb;   ///< at most 4096
 };
 
-using EffectTable = std::array<std::uint16_t, 256>;
+using EffectTable = std::array<std::uint16_t, contract::kTableEntries>;
 
 /// Everything that stands in memory and registers before a frame.
 struct UnitState {

@@ -1,6 +1,8 @@
 // Register writes: docs/spec/unit.md and docs/spec/effects.md, "Registers".
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 #include "model/reference/unit/register_map.h"
 #include "model/reference/unit/unit_memory.h"
@@ -8,18 +10,23 @@
 namespace ptm::reference {
 namespace {
 
+using contract::RegisterField;
 using namespace registers;
 
-/// A value at [low + bits - 1 : low]; two's complement if signed.
-std::uint32_t field(const char* name, Value value, int low, int bits, bool is_signed = false) {
-  const Value least = is_signed ? -(Value{1} << (bits - 1)) : 0;
-  const Value most = least + (Value{1} << bits) - 1;
-  if (value < least || value > most) {
-    throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ", expected " +
-                                std::to_string(least) + " to " + std::to_string(most));
+/// A value in its field of a register, refused by what it is (by the field's name, if nothing is
+/// said) if the field does not hold it.
+std::uint32_t packed(const RegisterField& field, Value value, std::string_view what = {}) {
+  if (value < field.least() || value > field.most()) {
+    throw std::invalid_argument(
+        std::string(what.empty() ? field.name : what) + " = " + std::to_string(value) +
+        ", expected " + std::to_string(field.least()) + " to " + std::to_string(field.most()));
   }
-  const auto code = static_cast<std::uint32_t>(value & ((Value{1} << bits) - 1));
-  return code << low;
+  return field.pack(value);
+}
+template <class Enumerator>
+requires std::is_enum_v<Enumerator> std::uint32_t packed(const RegisterField& field,
+                                                         Enumerator code) {
+  return packed(field, Value{static_cast<std::uint8_t>(code)});
 }
 
 RegisterWrite write(unsigned address, std::uint32_t data) {
@@ -27,21 +34,30 @@ RegisterWrite write(unsigned address, std::uint32_t data) {
 }
 
 std::uint32_t control(const Draw& draw) {
-  const auto code = [](auto enumerator) { return Value{static_cast<std::uint8_t>(enumerator)}; };
-  return field("format", code(draw.format), 0, 3) | field("mip", code(draw.mip), 3, 2) |
-         field("bilinear", draw.bilinear ? 1 : 0, 5, 1) | field("wrap_u", code(draw.wrap_u), 6, 2) |
-         field("wrap_v", code(draw.wrap_v), 8, 2) | field("combine", code(draw.combine), 10, 3) |
-         field("color", draw.color ? 1 : 0, 13, 1) | field("palette", draw.palette, 14, 2);
+  namespace f = fields::draw_control;
+  return packed(f::kFormat, draw.format) | packed(f::kMip, draw.mip) |
+         packed(f::kBilinear, draw.bilinear ? 1 : 0) | packed(f::kWrapU, draw.wrap_u) |
+         packed(f::kWrapV, draw.wrap_v) | packed(f::kCombine, draw.combine) |
+         packed(f::kColor, draw.color ? 1 : 0) | packed(f::kPalette, draw.palette);
 }
 
-std::uint32_t sides(const TextureLevels& texture) {
-  return field("width", texture.width, 0, 13) | field("height", texture.height, 16, 13);
+std::uint32_t map_size(const TextureLevels& map) {
+  namespace f = fields::draw_map_size;
+  return packed(f::kWidth, map.width) | packed(f::kHeight, map.height);
 }
-
-void write_bases(const TextureLevels& texture, unsigned first, std::vector<RegisterWrite>& out) {
-  for (unsigned l = 0; l < kLevelsMax; ++l) {
-    out.push_back(write(first + l, field("base", texture.base[l], 0, kLineBits)));
-  }
+std::uint32_t color_size(const TextureLevels& color) {
+  namespace f = fields::draw_color_size;
+  return packed(f::kWidth, color.width) | packed(f::kHeight, color.height);
+}
+std::uint32_t levels(const Draw& draw) {
+  namespace f = fields::draw_levels;
+  return packed(f::kMap, draw.map.levels, "levels") |
+         packed(f::kColor, draw.color_texture.levels, "levels") |
+         packed(f::kColorLod, draw.color_lod);
+}
+std::uint32_t weights(const Draw& draw) {
+  namespace f = fields::draw_weights;
+  return packed(f::kKa, draw.ka) | packed(f::kKd, draw.kd) | packed(f::kKs, draw.ks);
 }
 
 void write_palettes(const Palettes& palettes, std::vector<RegisterWrite>& out) {
@@ -55,43 +71,50 @@ void write_palettes(const Palettes& palettes, std::vector<RegisterWrite>& out) {
       }
     }
   };
-  table(palettes.lrgb, kLrgbPalettes, 2);
-  table(palettes.rgb, kRgbPalette, 8);
+  table(palettes.lrgb, kLrgbPaletteBlock, kLrgbPaletteStride);
+  table(palettes.rgb, kRgbPaletteBlock, kRgbPaletteStride);
 }
 
-std::uint32_t bias_and_shift(Value bias, Value shift) {
-  return field("bias", bias, 0, 12) | field("shift", shift, 16, 5, true);
+std::uint32_t coefficient(Value bias, Value shift) {
+  namespace f = fields::draw_coefficient;
+  return packed(f::kBias, bias) | packed(f::kShift, shift);
+}
+std::uint32_t set_coefficient(Value bias, Value shift) {
+  namespace f = fields::set_coefficient;
+  return packed(f::kBias, bias) | packed(f::kShift, shift);
 }
 
 std::uint32_t passes_of(const DrawEffects& effects) {
-  std::uint32_t out = field("passes", effects.passes, 0, 3);
-  for (std::size_t k = 0; k < effects.pass.size(); ++k) {
-    const int low = 4 * static_cast<int>(k) + 4;
-    out |= field("set of a pass", effects.pass[k].set, low, 3) |
-           field("half of a pass", effects.pass[k].half ? 1 : 0, low + 3, 1);
+  namespace f = fields::draw_passes;
+  static_assert(f::kSetCount == kExtraPasses && f::kHalfCount == kExtraPasses);
+  std::uint32_t out = packed(f::kPasses, effects.passes);
+  for (unsigned k = 0; k < effects.pass.size(); ++k) {
+    out |= packed(f::kSet.higher(f::kSetStride * k), effects.pass[k].set, "set of a pass") |
+           packed(f::kHalf.higher(f::kHalfStride * k), effects.pass[k].half ? 1 : 0);
   }
   return out;
 }
 
 /// docs/spec/effects.md, "Registers".
-void write_effects(const DrawEffects& effects, unsigned number, const EffectTable& table,
+void write_effects(const DrawEffects& effects, unsigned d, const EffectTable& table,
                    std::vector<RegisterWrite>& out) {
   const auto add = [&out](bool always, unsigned address, std::uint32_t data) {
     if (always || data != 0) out.push_back(write(address, data));
   };
-  const unsigned d = number * kDrawStride;
-  add(false, d + 12, passes_of(effects));
-  add(false, d + 13, field("sets", effects.sets, 0, 3) | field("stages", effects.stages, 8, 8));
-  add(false, d + 14, effects.argument);
+  namespace f = fields::draw_effects;
+  add(false, draw_passes_address(d), passes_of(effects));
+  add(false, draw_effects_address(d),
+      packed(f::kSets, effects.sets) | packed(f::kStages, effects.stages));
+  add(false, draw_argument_address(d), effects.argument);
   for (unsigned s = 0; s < kExtraSets; ++s) {
     for (unsigned i = 0; i < 6; ++i) {
-      add(static_cast<int>(s) < effects.sets, kSets + 32 * number + 8 * s + i,
-          bias_and_shift(effects.bias[s][i], effects.shift[s][i]));
+      add(static_cast<int>(s) < effects.sets, set_coefficient_address(d, s, i),
+          set_coefficient(effects.bias[s][i], effects.shift[s][i]));
     }
   }
   for (unsigned i = 0; i < table.size(); ++i) {
-    add(effects.stages != 0, kTables + 256 * number + i,
-        field("an entry of the table", table[i], 0, 12));
+    add(effects.stages != 0, table_entry_address(d, i),
+        packed(fields::table_entry::kEntry, table[i], "an entry of the table"));
   }
 }
 
@@ -101,22 +124,25 @@ std::vector<RegisterWrite> register_writes(const Draw& draw, int number, const E
   if (number < 0 || number >= kDraws) {
     throw std::invalid_argument("draw = " + std::to_string(number) + ", expected 0 to 3");
   }
-  const unsigned d = static_cast<unsigned>(number) * kDrawStride;
+  const auto d = static_cast<unsigned>(number);
   std::vector<RegisterWrite> out;
-  out.push_back(write(d + 1, sides(draw.map)));
-  out.push_back(write(d + 2, sides(draw.color_texture)));
-  out.push_back(write(d + 3, field("levels", draw.map.levels, 0, 4) |
-                                 field("levels", draw.color_texture.levels, 8, 4) |
-                                 field("color_lod", draw.color_lod, 16, 13, true)));
+  out.push_back(write(draw_map_size_address(d), map_size(draw.map)));
+  out.push_back(write(draw_color_size_address(d), color_size(draw.color_texture)));
+  out.push_back(write(draw_levels_address(d), levels(draw)));
   for (unsigned i = 0; i < 6; ++i) {
-    out.push_back(write(d + 4 + i, bias_and_shift(draw.bias[i], draw.shift[i])));
+    out.push_back(write(draw_coefficient_address(d, i), coefficient(draw.bias[i], draw.shift[i])));
   }
-  out.push_back(write(d + 10, field("ka", draw.ka, 0, 9) | field("kd", draw.kd, 9, 9) |
-                                  field("ks", draw.ks, 18, 9)));
-  write_bases(draw.map, d + kMapBase, out);
-  write_bases(draw.color_texture, d + kColorBase, out);
-  write_effects(draw.effects, static_cast<unsigned>(number), table, out);
-  out.push_back(write(d, control(draw)));
+  out.push_back(write(draw_weights_address(d), weights(draw)));
+  for (unsigned l = 0; l < kLevelsMax; ++l) {
+    out.push_back(
+        write(draw_map_base_address(d, l), packed(fields::draw_map_base::kBase, draw.map.base[l])));
+  }
+  for (unsigned l = 0; l < kLevelsMax; ++l) {
+    out.push_back(write(draw_color_base_address(d, l),
+                        packed(fields::draw_color_base::kBase, draw.color_texture.base[l])));
+  }
+  write_effects(draw.effects, d, table, out);
+  out.push_back(write(draw_control_address(d), control(draw)));
   return out;
 }
 
