@@ -1,9 +1,9 @@
 #include "contract/generator/emit.h"
 
+#include "contract/generator/table.h"
 #include "contract/generator/text.h"
 
 namespace ptm::contract {
-
 namespace {
 
 /// The integer that stands for a choice in the RTL, whatever the enumerators' order.
@@ -28,11 +28,27 @@ std::vector<ParameterName> names_of(const Parameters& parameters) {
   return names;
 }
 
+/// A constant NAME_max says the most that the unit's parameter NAME may be.
+void require_same_most(const Parameters& parameters, const RegisterMap& map) {
+  constexpr std::string_view kEnd = "_max";
+  for (const Constant& constant : map.constants) {
+    if (!constant.name.ends_with(kEnd)) continue;
+    const std::string name = constant.name.substr(0, constant.name.size() - kEnd.size());
+    const Parameter* parameter = parameters.config("unit").find(name);
+    if (parameter == nullptr || parameter->high.empty()) continue;
+    if (parameter->high == std::to_string(constant.value)) continue;
+    throw TableError("registers.toml: " + constant.name + " = " + std::to_string(constant.value) +
+                     ", expected " + parameter->high + ", as parameters.toml says of " + name);
+  }
+}
+
 }  // namespace
 
 Tables read_tables(const std::filesystem::path& folder) {
   const Parameters parameters = read_parameters(folder);
-  return {parameters, read_port_tables(folder, names_of(parameters))};
+  Tables tables{parameters, read_port_tables(folder, names_of(parameters))};
+  require_same_most(tables.parameters, tables.port.map);
+  return tables;
 }
 
 Outputs all_outputs(const Tables& tables) {

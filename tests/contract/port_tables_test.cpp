@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "passes: found 2, expected 1 or 3"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(PortTablesWhole, RefusePlacesThatNothingFillsAndNumbersThatNothingHas) {
+TEST(PortTablesWhole, RefuseWhatNoRowSaysAlone) {
   ChangedTables tables;
   tables.replace("registers.toml", "{ name = \"ks\", width = 9 },",
                  "{ name = \"ks\", width = 9 },\n  { name = \"kq\", width = 5 },");
@@ -77,6 +77,13 @@ TEST(PortTablesWhole, RefusePlacesThatNothingFillsAndNumbersThatNothingHas) {
   EXPECT_EQ(place.code, 3);
   EXPECT_NE(place.said.find("draw.kq: no field of a register fills the place"), std::string::npos)
       << place.said;
+
+  ChangedTables most;
+  most.replace("registers.toml", "name = \"extra_passes_max\"\nvalue = 4",
+               "name = \"extra_passes_max\"\nvalue = 5");
+  const Ended passes = most.generate();
+  EXPECT_EQ(passes.code, 3);
+  EXPECT_NE(passes.said.find("extra_passes_max = 5, expected 4"), std::string::npos) << passes.said;
 
   ChangedTables gap;
   gap.replace("counters.toml", "number = 37\n", "number = 38\n");
