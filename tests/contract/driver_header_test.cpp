@@ -5,6 +5,7 @@
 #include <random>
 
 #include "model/reference/unit/register_map.h"
+#include "model/reference/unit/unit_counters.h"
 #include "model/reference/unit/unit_memory.h"
 #include "tests/contract/driver.h"
 
@@ -154,6 +155,57 @@ TEST(DriverHeader, ExtendsSignsAndFindsWhatRepeats) {
     EXPECT_EQ(driver_errors(0x0a040208U, d), 0x0a040208U >> 8 * d & 15U);
   EXPECT_EQ(driver_counter_high(37), 0x2000U + 2 * 37 + 1);
   EXPECT_EQ(driver_counter_of_cycles(), 2U);
+}
+
+/// Drivers in the field know the numbers: a table that moves one breaks them, and all models with
+/// it in the same way.
+TEST(DriverHeader, NumbersCountersAndCodesAsItAlwaysHas) {
+  const std::vector<std::string_view> shared{"fragments",
+                                             "pixels",
+                                             "cycles",
+                                             "cycles_moved",
+                                             "cycles_output_blocked",
+                                             "cycles_line_wait",
+                                             "cycles_ring_full",
+                                             "cycles_input_empty",
+                                             "beats",
+                                             "bank_conflicts",
+                                             "words",
+                                             "taps",
+                                             "tag_hits",
+                                             "tag_misses",
+                                             "lines_read",
+                                             "duplicate_lines",
+                                             "palette_lookups",
+                                             "multiplies_address",
+                                             "multiplies_filter",
+                                             "multiplies_eval",
+                                             "multiplies_combine"};
+  for (std::size_t n = 0; n < shared.size(); ++n) EXPECT_EQ(unit_counter_names()[n], shared[n]);
+  for (unsigned d = 0; d < 4; ++d) {
+    for (unsigned t = 0; t < 2; ++t) {
+      const std::string of = "_d" + std::to_string(d) + (t == 0 ? "_map" : "_color");
+      EXPECT_EQ(unit_counter_names()[21 + 4 * d + 2 * t], "hits" + of);
+      EXPECT_EQ(unit_counter_names()[22 + 4 * d + 2 * t], "misses" + of);
+    }
+  }
+  EXPECT_EQ(unit_counter_names()[37], "multiplies_effects");
+
+  const auto code = [](auto value) { return static_cast<int>(value); };
+  EXPECT_EQ(code(TextureFormat::none), 0);
+  EXPECT_EQ(code(TextureFormat::lrgb), 1);
+  EXPECT_EQ(code(TextureFormat::rgb), 2);
+  EXPECT_EQ(code(TextureFormat::palette_lrgb), 3);
+  EXPECT_EQ(code(TextureFormat::palette_rgb), 4);
+  EXPECT_EQ(code(Mip::nearest), 1);
+  EXPECT_EQ(code(Mip::linear), 2);
+  EXPECT_EQ(code(Wrap::mirror), 1);
+  EXPECT_EQ(code(Wrap::clamp), 2);
+  EXPECT_EQ(code(Combine::modulate), 1);
+  EXPECT_EQ(code(Combine::decal), 2);
+  EXPECT_EQ(code(Combine::blend), 3);
+  EXPECT_EQ(code(Combine::add), 4);
+  EXPECT_EQ(code(Combine::replace), 5);
 }
 
 }  // namespace
