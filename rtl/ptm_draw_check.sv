@@ -102,7 +102,10 @@ module ptm_draw_check #(
   assign across = width == '0 ? (SideW-1)'(1) : (SideW-1)'((SideW+1)'(width) + (SideW+1)'(3) >> 2);
   assign down   = height == '0 ? (SideW-1)'(1)
                                : (SideW-1)'((SideW+1)'(height) + (SideW+1)'(3) >> 2);
-  assign tiles  = (2*SideW-2)'(across) * (2*SideW-2)'(down);
+  always_comb begin
+    tiles = '0;
+    if (present) tiles = (2*SideW-2)'(across) * (2*SideW-2)'(down);
+  end
   logic [2:0]         planes;
   logic [2*SideW:0]   own_lines;
   assign planes    = texture_i ? 3'd1 : ptm_format_pkg::planes(format_i);

@@ -24,8 +24,11 @@ module ptm_ram #(
   logic [Width-1:0] word_q [Depth];
   logic [Width-1:0] read_q;
   always_ff @(posedge clk_i) begin
-    if (write_i) word_q[write_address_i] <= write_data_i;
     if (read_i) read_q <= word_q[read_address_i];
+    // (Blocking, behind the read: a simulation then needs no copy of what is written.)
+    /* verilator lint_off BLKSEQ */
+    if (write_i) word_q[write_address_i] = write_data_i;
+    /* verilator lint_on BLKSEQ */
   end
   assign read_data_o = read_q;
 endmodule

@@ -137,6 +137,9 @@ module ptm_unit_counters #(
     else fresh_q <= 1'b0;
   end
   assign clear = clear_i || fresh_q;
+  // (Blocking assignments, as in ptm_ram: nothing reads them at the edge but what writes them, and
+  // the simulation copies no arrays.)
+  /* verilator lint_off BLKSEQ */
   logic [63:0] count_q [Shared];
   for (genvar n = 0; n < Shared; n++) begin : gen_counter
     localparam bit Idle = n == ptm_register_pkg::CountCycles ||
@@ -145,9 +148,9 @@ module ptm_unit_counters #(
     assign increment = step[n*Wide +: Wide];
     always_ff @(posedge clk_i) begin
       if (clear) begin
-        count_q[n] <= 64'd0;
+        count_q[n] = 64'd0;
       end else if (increment != '0) begin
-        count_q[n] <= count_q[n] + 64'(increment) + (Idle ? idle_q : 64'd0);
+        count_q[n] = count_q[n] + 64'(increment) + (Idle ? idle_q : 64'd0);
       end
     end
   end
@@ -157,20 +160,21 @@ module ptm_unit_counters #(
   for (genvar d = 0; d < ptm_unit_pkg::Draws; d++) begin : gen_draw
     always_ff @(posedge clk_i) begin
       if (clear) begin
-        draw_count_q[4*d]   <= 64'd0;
-        draw_count_q[4*d+1] <= 64'd0;
-        draw_count_q[4*d+2] <= 64'd0;
-        draw_count_q[4*d+3] <= 64'd0;
+        draw_count_q[4*d]   = 64'd0;
+        draw_count_q[4*d+1] = 64'd0;
+        draw_count_q[4*d+2] = 64'd0;
+        draw_count_q[4*d+3] = 64'd0;
       end else if (looked_i) begin
         if (draw_i == ptm_unit_pkg::DrawBits'(d)) begin
-          draw_count_q[4*d]   <= draw_count_q[4*d] + 64'(hits_map);
-          draw_count_q[4*d+1] <= draw_count_q[4*d+1] + 64'(misses_map);
-          draw_count_q[4*d+2] <= draw_count_q[4*d+2] + 64'(hits_color);
-          draw_count_q[4*d+3] <= draw_count_q[4*d+3] + 64'(misses_color);
+          draw_count_q[4*d]   = draw_count_q[4*d] + 64'(hits_map);
+          draw_count_q[4*d+1] = draw_count_q[4*d+1] + 64'(misses_map);
+          draw_count_q[4*d+2] = draw_count_q[4*d+2] + 64'(hits_color);
+          draw_count_q[4*d+3] = draw_count_q[4*d+3] + 64'(misses_color);
         end
       end
     end
   end
+  /* verilator lint_on BLKSEQ */
 
   logic [5:0]  of_draws;
   logic [63:0] value;

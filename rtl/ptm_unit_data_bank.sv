@@ -1,7 +1,6 @@
 // One data bank of one TMU's cache: a line's four words of one texel parity a row, and whether the
-// line could not be read. One port to
-// write rows, one to read them; a read in the cycle of a write gives what stood there before. The
-// read register is D, behind which the word is chosen.
+// line could not be read. One port to write rows, one to read them; a read in the cycle of a write
+// gives what stood there before. The read register is D, behind which the word is chosen.
 module ptm_unit_data_bank #(
   parameter int Rows = 256,
   parameter int Bank = 0,  // {parity in v, parity in u}
@@ -21,18 +20,24 @@ module ptm_unit_data_bank #(
 );
   localparam int First = Bank / 2 * 4 + Bank % 2;  // word of the line
 
-  logic [127:0] row;  // of words
+  logic [128:0] written, row;  // a bit of failure, four words
+  always_comb begin
+    written = '0;
+    if (write_i) begin
+      written = {failed_i, line_i[32*(First+10) +: 32], line_i[32*(First+8) +: 32],
+                 line_i[32*(First+2) +: 32], line_i[32*First +: 32]};
+    end
+  end
   ptm_ram #(
     .Depth(Rows), .Width(129)
   ) u_row (
     .clk_i(clk_i), .write_i(write_i), .write_address_i(write_row_i),
-    .write_data_i({failed_i, line_i[32*(First+10) +: 32], line_i[32*(First+8) +: 32],
-                   line_i[32*(First+2) +: 32], line_i[32*First +: 32]}),
-    .read_i(read_i), .read_address_i(read_row_i), .read_data_o({read_failed_o, row})
+    .write_data_i(written), .read_i(read_i), .read_address_i(read_row_i), .read_data_o(row)
   );
   logic [1:0] word_q;
   always_ff @(posedge clk_i) if (read_i) word_q <= read_word_i;
-  assign read_data_o = row[{word_q, 5'd0} +: 32];
+  assign read_data_o   = row[{1'b0, word_q, 5'd0} +: 32];
+  assign read_failed_o = row[128];
 
   logic unused;
   assign unused = ^line_i;

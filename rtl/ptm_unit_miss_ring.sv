@@ -93,7 +93,8 @@ module ptm_unit_miss_ring #(
   // By bank
   logic [3:0]            address_write;
   logic [4*RowBits-1:0]  address_row;
-  logic [4*LineBits-1:0] address, asked;
+  logic [4*LineBits-1:0] address;
+  logic [LineBits-1:0]   asked [4];
   always_comb begin
     address_write = '0;
     address_row   = '0;
@@ -119,7 +120,7 @@ module ptm_unit_miss_ring #(
       .clk_i(clk_i), .write_i(address_write[b]),
       .write_address_i(address_row[b*RowBits +: RowBits]),
       .write_data_i(address[b*LineBits +: LineBits]), .read_address_i(row_of(request_q)),
-      .read_data_o(asked[b*LineBits +: LineBits])
+      .read_data_o(asked[b])
     );
   end
 
@@ -127,7 +128,7 @@ module ptm_unit_miss_ring #(
   logic draining_q;
   logic request;
   assign req_valid_o = waiting_q != '0 && !draining_q;
-  assign req_line_o  = asked[request_q[1:0]*LineBits +: LineBits];
+  assign req_line_o  = asked[request_q[1:0]];
   assign req_tag_o   = 8'(request_q);
   assign request     = req_valid_o && req_ready_i;
 
@@ -159,7 +160,7 @@ module ptm_unit_miss_ring #(
   // Commit
   logic [1:0]             committed;
   logic [3:0]             bank_valid, bank_failed, bank_taken;
-  logic [4*LineWidth-1:0] bank_line;
+  logic [LineWidth-1:0]   bank_line [4];
   assign committed = lines_before(rank_i, Tmus);
   for (genvar b = 0; b < 4; b++) begin : gen_line
     ptm_unit_miss_bank #(
@@ -168,7 +169,7 @@ module ptm_unit_miss_ring #(
       .clk_i(clk_i), .rst_ni(rst_ni), .write_i(response && response_slot[1:0] == 2'(b)),
       .write_row_i(row_of(response_slot)), .write_line_i(rsp_line_i),
       .write_failed_i(rsp_failed_i), .valid_o(bank_valid[b]), .take_i(bank_taken[b]),
-      .line_o(bank_line[b*LineWidth +: LineWidth]), .failed_o(bank_failed[b])
+      .line_o(bank_line[b]), .failed_o(bank_failed[b])
     );
     // Of the rank's lines, the one that follows the head as far as this bank does
     assign bank_taken[b] = commit_i && 2'(2'(b) - head_q) < committed;
@@ -182,7 +183,7 @@ module ptm_unit_miss_ring #(
     // Without a commit nothing moves, and nothing is simulated
     always_comb begin
       line = '0;
-      if (commit_i && rank_i[t]) line = bank_line[bank*LineWidth +: LineWidth];
+      if (commit_i && rank_i[t]) line = bank_line[bank];
     end
     assign line_o[t*LineWidth +: LineWidth] = line;
     assign failed_o[t] = commit_i && rank_i[t] && bank_failed[bank];

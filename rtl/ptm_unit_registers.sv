@@ -217,15 +217,25 @@ module ptm_unit_registers #(
   logic [2:0] seen;
   logic [3:0] errors;
   assign last       = texture_q && level_q == 4'(LastLevel);
-  assign seen       = seen_q | {bad_control, bad_levels, bad_size};
-  assign beyond_all = beyond_q || beyond;
-  assign errors     = {seen[2], beyond_all && seen == '0, seen[1:0]};
+  always_comb begin
+    seen       = '0;
+    beyond_all = 1'b0;
+    errors     = '0;
+    if (active_q) begin
+      seen       = seen_q | {bad_control, bad_levels, bad_size};
+      beyond_all = beyond_q || beyond;
+      if (last) errors = {seen[2], beyond_all && seen == '0, seen[1:0]};
+    end
+  end
 
   // A draw starts to be looked at
   logic       start;
   logic [1:0] next;
   assign start = !active_q && waiting_q != '0;
-  assign next  = waiting_q[0] ? 2'd0 : waiting_q[1] ? 2'd1 : waiting_q[2] ? 2'd2 : 2'd3;
+  always_comb begin
+    next = '0;
+    if (start) next = waiting_q[0] ? 2'd0 : waiting_q[1] ? 2'd1 : waiting_q[2] ? 2'd2 : 2'd3;
+  end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -279,7 +289,7 @@ module ptm_unit_registers #(
   always_comb begin
     causes                                        = '0;
     causes[ptm_register_pkg::EventsIdleLow]       = last_taken_i;
-    causes[ptm_register_pkg::EventsDrawErrorLow]  = active_q && last && errors != '0;
+    causes[ptm_register_pkg::EventsDrawErrorLow]  = errors != '0;
     causes[ptm_register_pkg::EventsWrongTagLow]   = mem_error_i;
     causes[ptm_register_pkg::EventsFailedLineLow] = mem_failed_i;
     causes[ptm_register_pkg::EventsRefusedLow]    = refused;

@@ -1,9 +1,10 @@
 // One tag bank of one TMU's cache: Sets sets of Ways ways, least recently used replaced first.
 //
-// A beat's tags are read as it enters T, a memory a way; the look-up is in the cycle after, and a
-// use: a hit touches its way at the end of that cycle, a miss allocates (an invalid way first, the
-// lowest, else the one used longest ago). What the beat before allocates while the tags are read
-// goes past the memory. Invalidation clears all in a cycle. docs/spec/unit-timing.md, Tags.
+// A beat's tags are read as it enters T, all ways of a set in a row; the look-up is in the cycle
+// after, and a use: a hit touches its way at the end of that cycle, a miss allocates (an invalid way
+// first, the lowest, else the one used longest ago) and writes the row back. A row that the beat
+// before writes while it is read goes past the memory. Invalidation clears all in a cycle.
+// docs/spec/unit-timing.md, Tags.
 //
 // DuplicateLines: whether a line that another TMU misses stands here, for the counter
 // `duplicate_lines`. It needs a copy of the tags for each other TMU, which are read in the cycle of
@@ -29,11 +30,11 @@ module ptm_unit_tag_bank #(
   output logic                     hit_o,    // of a look-up; else 0
   output logic [PlaceW-1:0]        place_o,  // {set, way}
   // What this bank's like misses in each TMU, and the lines a cycle later
-  input  logic                     any_miss_i,  // none of them: nothing is simulated
-  input  logic [Tmus-1:0]          miss_i,
+  input  logic                     any_miss_i,   // in any TMU and bank: all are looked for
   input  logic [Tmus*SetBits-1:0]  miss_set_i,
+  input  logic                     any_missed_i, // a cycle later
   input  logic [Tmus*LineBits-1:0] missed_line_i,
-  output logic [Tmus-1:0]          held_o       // another TMU's miss stood here a cycle ago
+  output logic [Tmus-1:0]          held_o        // another TMU's line stood here a cycle ago
 );
   localparam int Lines     = Sets * Ways;
   localparam int PlaceBits = Lines == 1 ? 1 : $clog2(Lines);
@@ -48,23 +49,20 @@ module ptm_unit_tag_bank #(
   assign read_set = read_set_i[SetIndexBits-1:0];
   assign first    = PlaceBits'(set_i) << WayBits;
 
-  // Tags, and the one that was written as they were read
-  logic [Ways-1:0]          write;  // the way that is allocated
-  logic [Ways*LineBits-1:0] tag;
-  for (genvar w = 0; w < Ways; w++) begin : gen_way
-    ptm_ram #(
-      .Depth(Sets), .Width(LineBits)
-    ) u_tag (
-      .clk_i(clk_i), .write_i(write[w]), .write_address_i(set), .write_data_i(line_i),
-      .read_i(read_i), .read_address_i(read_set), .read_data_o(tag[w*LineBits +: LineBits])
-    );
-  end
-  logic [Ways-1:0]     late_q;
-  logic [LineBits-1:0] late_line_q;
+  // The set's tags: what was read, or written as it was read
+  logic                     allocates;
+  logic [Ways*LineBits-1:0] stored, tags, tags_after, late_tags_q;
+  ptm_ram #(
+    .Depth(Sets), .Width(Ways * LineBits)
+  ) u_tags (
+    .clk_i(clk_i), .write_i(allocates), .write_address_i(set), .write_data_i(tags_after),
+    .read_i(read_i), .read_address_i(read_set), .read_data_o(stored)
+  );
+  logic late_q;
   always_ff @(posedge clk_i) begin
     if (read_i) begin
-      late_q <= read_set == set ? write : '0;
-      if (write != '0) late_line_q <= line_i;
+      late_q <= allocates && read_set == set;
+      if (allocates) late_tags_q <= tags_after;
     end
   end
 
@@ -79,7 +77,6 @@ module ptm_unit_tag_bank #(
   );
 
   // Without a look-up nothing is read, and nothing simulated
-  logic                 allocates;
   logic [1:0]           way;    // of the hit, or the one to be allocated
   logic [PlaceBits-1:0] place;  // likewise
   always_comb begin
@@ -87,13 +84,14 @@ module ptm_unit_tag_bank #(
     allocates   = 1'b0;
     way         = 2'd0;
     place       = '0;
-    write       = '0;
+    tags        = '0;
+    tags_after  = '0;
     older_after = '0;
     if (look_up_i) begin
       allocates = 1'b1;
+      tags      = late_q ? late_tags_q : stored;
       for (int w = 0; w < Ways; w++) begin
-        if (valid_q[first | PlaceBits'(w)] &&
-            (late_q[w] ? late_line_q : tag[w*LineBits +: LineBits]) == line_i) begin
+        if (valid_q[first | PlaceBits'(w)] && tags[w*LineBits +: LineBits] == line_i) begin
           hit_o     = 1'b1;
           allocates = 1'b0;
           way       = 2'(w);
@@ -106,7 +104,10 @@ module ptm_unit_tag_bank #(
         for (int w = Ways - 1; w >= 0; w--) begin
           if (!valid_q[first | PlaceBits'(w)]) way = 2'(w);
         end
-        write = Ways'(1) << way;
+        tags_after = tags;
+        for (int w = 0; w < Ways; w++) begin
+          if (2'(w) == way) tags_after[w*LineBits +: LineBits] = line_i;
+        end
       end
       place       = first | PlaceBits'(way);
       older_after = older;
@@ -131,19 +132,23 @@ module ptm_unit_tag_bank #(
       assign held_o[t] = 1'b0;
     end else begin : gen_tags
       logic [SetIndexBits-1:0] miss_set;
-      logic                    miss;
-      assign miss     = any_miss_i && miss_i[t];
       assign miss_set = miss_set_i[t*SetBits +: SetIndexBits];
+      logic [Ways-1:0] valid;
+      always_comb begin
+        valid = '0;
+        if (any_miss_i) begin
+          valid = valid_q[PlaceBits'(miss_set_i[t*SetBits +: SetBits]) << WayBits +: Ways];
+        end
+      end
       ptm_unit_tag_copy #(
         .Sets(Sets), .Ways(Ways)
       ) u_copy (
-        .clk_i(clk_i), .rst_ni(rst_ni), .write_i(write), .write_set_i(set), .write_line_i(line_i),
-        .read_i(miss), .read_set_i(miss_set),
-        .valid_i(valid_q[PlaceBits'(miss_set_i[t*SetBits +: SetBits]) << WayBits +: Ways]),
+        .clk_i(clk_i), .write_i(allocates), .write_set_i(set), .write_tags_i(tags_after),
+        .read_i(any_miss_i), .read_set_i(miss_set), .valid_i(valid), .show_i(any_missed_i),
         .line_i(missed_line_i[t*LineBits +: LineBits]), .held_o(held_o[t])
       );
     end
   end
   logic unused;
-  assign unused = ^{any_miss_i, miss_i, miss_set_i, missed_line_i};
+  assign unused = ^{any_miss_i, any_missed_i, miss_set_i, missed_line_i};
 endmodule

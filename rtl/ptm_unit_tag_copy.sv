@@ -8,37 +8,31 @@ module ptm_unit_tag_copy #(
   localparam int LineBits     = ptm_unit_pkg::LineBits
 ) (
   input  logic                    clk_i,
-  input  logic                    rst_ni,
   // The bank allocates
-  input  logic [Ways-1:0]         write_i,
-  input  logic [SetIndexBits-1:0] write_set_i,
-  input  logic [LineBits-1:0]     write_line_i,
-  // A miss, and in the next cycle its line
+  input  logic                     write_i,
+  input  logic [SetIndexBits-1:0]  write_set_i,
+  input  logic [Ways*LineBits-1:0] write_tags_i,
+  // A look-up, and in the next cycle its line
   input  logic                    read_i,
   input  logic [SetIndexBits-1:0] read_set_i,
   input  logic [Ways-1:0]         valid_i,  // of that set's ways
+  input  logic                    show_i,   // there was a look-up
   input  logic [LineBits-1:0]     line_i,
-  output logic                    held_o    // in the next cycle, if there was a miss
+  output logic                    held_o    // else 0
 );
   logic [Ways*LineBits-1:0] tag;
-  for (genvar w = 0; w < Ways; w++) begin : gen_way
-    ptm_ram #(
-      .Depth(Sets), .Width(LineBits)
-    ) u_tag (
-      .clk_i(clk_i), .write_i(write_i[w]), .write_address_i(write_set_i),
-      .write_data_i(write_line_i), .read_i(read_i), .read_address_i(read_set_i),
-      .read_data_o(tag[w*LineBits +: LineBits])
-    );
-  end
+  ptm_ram #(
+    .Depth(Sets), .Width(Ways * LineBits)
+  ) u_tags (
+    .clk_i(clk_i), .write_i(write_i), .write_address_i(write_set_i), .write_data_i(write_tags_i),
+    .read_i(read_i), .read_address_i(read_set_i), .read_data_o(tag)
+  );
 
-  logic [Ways-1:0] valid_q;  // and there was a miss
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) valid_q <= '0;
-    else valid_q <= read_i ? valid_i : '0;
-  end
+  logic [Ways-1:0] valid_q;
+  always_ff @(posedge clk_i) if (read_i) valid_q <= valid_i;
   always_comb begin
     held_o = 1'b0;
-    if (valid_q != '0) begin
+    if (show_i) begin
       for (int w = 0; w < Ways; w++) begin
         if (valid_q[w] && tag[w*LineBits +: LineBits] == line_i) held_o = 1'b1;
       end

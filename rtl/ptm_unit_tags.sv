@@ -128,15 +128,16 @@ module ptm_unit_tags #(
   logic [4*Tmus*LineBits-1:0] lines;
   assign misses_o = look_up_q & ~hits_o;
 
-  // The same of misses, which are looked for in the other TMUs' caches; else all stands still
-  logic                       any_miss;
-  logic [4*Tmus-1:0]          miss;
+  // In a cycle with a miss, every look-up is looked for in the other TMUs' caches, and what was
+  // missed is counted a cycle later. (One condition for all: a bit a look-up costs the simulation
+  // more.)
+  logic                       any_miss, any_missed;
   logic [4*Tmus*SetBits-1:0]  miss_set;
   logic [4*Tmus*LineBits-1:0] missed_line;  // a cycle later
   logic [4*Tmus*Tmus-1:0]     held;         // likewise; by bank, then holder, then misser
   if (DuplicateLines == 0 || Tmus == 1) begin : gen_no_duplicates
     assign any_miss     = 1'b0;
-    assign miss         = '0;
+    assign any_missed   = 1'b0;
     assign miss_set     = '0;
     assign missed_line  = '0;
     assign duplicates_o = '0;
@@ -145,23 +146,24 @@ module ptm_unit_tags #(
   end else begin : gen_duplicates
     assign any_miss = misses_o != '0;
     always_comb begin
-      {miss, miss_set} = '0;
-      if (any_miss) begin
-        miss_set = sets;
-        for (int b = 0; b < 4; b++) begin
-          for (int t = 0; t < Tmus; t++) miss[b*Tmus + t] = misses_o[t*4 + b];
-        end
-      end
+      miss_set = '0;
+      if (any_miss) miss_set = sets;
     end
+    logic [Tmus*4-1:0]          missed_q;
     logic [4*Tmus*LineBits-1:0] missed_line_q;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) missed_q <= '0;
+      else missed_q <= misses_o;
+    end
     always_ff @(posedge clk_i) if (any_miss) missed_line_q <= lines;
     assign missed_line = missed_line_q;
+    assign any_missed  = missed_q != '0;
     always_comb begin
       duplicates_o = '0;
-      if (held != '0) begin
+      if (any_missed) begin
         for (int b = 0; b < 4; b++) begin
           for (int n = 0; n < Tmus * Tmus; n++) begin
-            if (held[b*Tmus*Tmus + n]) duplicates_o[(n % Tmus)*4 + b] = 1'b1;
+            if (held[b*Tmus*Tmus + n]) duplicates_o[(n % Tmus)*4 + b] = missed_q[(n % Tmus)*4 + b];
           end
         end
       end
@@ -219,7 +221,7 @@ module ptm_unit_tags #(
         .read_set_i(set), .look_up_i(look_up_q[At]), .set_i(set_q), .line_i(line_q),
         .hit_o(hits_o[At]),
         .place_o(place[b*PlaceBits +: PlaceBits]), .any_miss_i(any_miss),
-        .miss_i(miss[b*Tmus +: Tmus]), .miss_set_i(miss_set[b*Tmus*SetBits +: Tmus*SetBits]),
+        .any_missed_i(any_missed), .miss_set_i(miss_set[b*Tmus*SetBits +: Tmus*SetBits]),
         .missed_line_i(missed_line[b*Tmus*LineBits +: Tmus*LineBits]),
         .held_o(held[By*Tmus +: Tmus])
       );

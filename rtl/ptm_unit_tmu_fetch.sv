@@ -27,18 +27,20 @@ module ptm_unit_tmu_fetch #(
   localparam int LineBits  = PlaceBits - 2;  // of a line's place within its tag bank
 
   ptm_unit_front_pkg::reads_t reads_q;
+  logic [3:0]                 read;         // data banks that D's next beat wants
   logic [3:0]                 d_fetched_q;  // by tap
+  logic [3:0]                 d_read_q;     // data banks that were read
   logic [7:0]                 d_bank_q;     // by tap: its data bank
   always_ff @(posedge clk_i) begin
     if (f_load_i) reads_q <= reads_i;
     if (d_load_i) begin
       d_fetched_q <= reads_q.fetched ? sources_i.fetched : '0;
       d_bank_q    <= sources_i.bank;
+      d_read_q    <= read;
     end
   end
   assign f_color_o = reads_q.color;
 
-  logic [3:0]  read;
   logic [15:0] at;             // by bank: {tile, word}
   logic [31:0] bank_word [4];  // of each bank, the word that its taps want
   logic [3:0]  bank_failed;    // and whether its line could not be read
@@ -65,10 +67,5 @@ module ptm_unit_tmu_fetch #(
                       bank_word[d_bank_q[3:2]], bank_word[d_bank_q[1:0]]};
   end
 
-  always_comb begin
-    failed_o = 1'b0;
-    for (int tap = 0; tap < 4; tap++) begin
-      if (d_fetched_q[tap] && bank_failed[d_bank_q[tap*2 +: 2]]) failed_o = 1'b1;
-    end
-  end
+  assign failed_o = (bank_failed & d_read_q) != '0;
 endmodule

@@ -125,6 +125,7 @@ class VerilatedUnit final : public RtlUnit {
     pins_.reg_wdata_i = data;
     clock_edge();
     pins_.reg_we_i = 0;
+    pins_.reg_addr_i = kNoRegister;  // reading is combinational: the least is simulated there
   }
 
   [[nodiscard]] std::uint32_t read(std::uint16_t address) override {
@@ -155,7 +156,7 @@ class VerilatedUnit final : public RtlUnit {
   using Cycle = pipeline::Cycle;
   static constexpr std::uint16_t kCommand = reference::registers::kCommand,
                                  kStatus = reference::registers::kErrors,
-                                 kState = reference::registers::kState;
+                                 kState = reference::registers::kState, kNoRegister = 0x0fff;
   static constexpr unsigned kDrain = 16;         ///< cycles watched for a pixel too many
   static constexpr unsigned kCheckCycles = 256;  ///< far more than four draws' check takes
 

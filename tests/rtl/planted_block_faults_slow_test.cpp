@@ -67,15 +67,15 @@ INSTANTIATE_TEST_SUITE_P(
     Counters, PlantedBlockFault,
     testing::Values(
         BlockFault{{"CarryOfASharedCounter", "rtl/ptm_unit_counters.sv",
-                    "count_q[n] <= count_q[n] + 64'(increment) + "
+                    "count_q[n] = count_q[n] + 64'(increment) + "
                     "(Idle ? idle_q : 64'd0);",
-                    "count_q[n][31:0] <= 32'(count_q[n] + 64'(increment) + "
+                    "count_q[n][31:0] = 32'(count_q[n] + 64'(increment) + "
                     "(Idle ? idle_q : 64'd0));"},
                    counters(),
                    "counter 0 from 4294967276"},
         BlockFault{{"CarryOfADrawsCounter", "rtl/ptm_unit_counters.sv",
-                    "draw_count_q[4*d+3] <= draw_count_q[4*d+3] + 64'(misses_color);",
-                    "draw_count_q[4*d+3][31:0] <= 32'(draw_count_q[4*d+3] + 64'(misses_color));"},
+                    "draw_count_q[4*d+3] = draw_count_q[4*d+3] + 64'(misses_color);",
+                    "draw_count_q[4*d+3][31:0] = 32'(draw_count_q[4*d+3] + 64'(misses_color));"},
                    counters(),
                    "counter 24 from 4294967276"}),
     [](const auto& tested) { return std::string(tested.param.fault.name); });
@@ -91,7 +91,7 @@ Block tag_bank(unsigned ways) {
 }
 
 constexpr const char* kTouch = "if (2'(w) == way) older_after[w*Ways + other] = 1'b0;";
-constexpr const char* kCompare = "tag[w*LineBits +: LineBits]) == line_i)";
+constexpr const char* kCompare = "tags[w*LineBits +: LineBits] == line_i)";
 
 INSTANTIATE_TEST_SUITE_P(
     TagBanks, PlantedBlockFault,
@@ -114,15 +114,15 @@ INSTANTIATE_TEST_SUITE_P(
                    tag_bank(4),
                    "expected a miss at"},
         BlockFault{{"TagComparedWithoutItsTopBit", "rtl/ptm_unit_tag_bank.sv", kCompare,
-                    "tag[w*LineBits +: LineBits]) << 1 == line_i << 1)"},
+                    "tags[w*LineBits +: LineBits] << 1 == line_i << 1)"},
                    tag_bank(2),
                    "a hit at"},
         BlockFault{{"TagComparedWithoutItsLowestBit", "rtl/ptm_unit_tag_bank.sv", kCompare,
-                    "tag[w*LineBits +: LineBits]) >> 1 == line_i >> 1)"},
+                    "tags[w*LineBits +: LineBits] >> 1 == line_i >> 1)"},
                    tag_bank(1),
                    "a hit at"},
         BlockFault{{"TagWrittenAsItIsReadIsMissed", "rtl/ptm_unit_tag_bank.sv",
-                    "late_q <= read_set == set ? write : '0;", "late_q <= '0;"},
+                    "late_q <= allocates && read_set == set;", "late_q <= 1'b0;"},
                    tag_bank(2),
                    "expected a hit at"},
         BlockFault{{"DuplicateOnlyInWay0OfTwo", "rtl/ptm_unit_tag_copy.sv", "if (valid_q[w] && tag",

@@ -250,8 +250,9 @@ TEST(RtlUnitFlipFlops, LosesEveryCounterWithoutCounters) {
   // 37 counters, the idle time, and two bits: cycles have begun, the counters are to be cleared
   constexpr std::uint64_t kCounters = 37 * 64 + 64 + 2;
   // For duplicate_lines two copies of each of the 12 tag banks, each with two ways' line addresses
-  // as they were read and whether they are valid; and a missed line for each bank
-  constexpr std::uint64_t kLine = 26, kCopies = 12 * 2 * 2 * (kLine + 1) + 12 * kLine;
+  // as they were read and whether they are valid; for each bank the line that it looked up, and
+  // whether it was missed
+  constexpr std::uint64_t kLine = 26, kCopies = 12 * 2 * 2 * (kLine + 1) + 12 * (kLine + 1);
   EXPECT_EQ(with - without, kCounters + kCopies);
   EXPECT_GT(without, 1000U);
 }

@@ -110,6 +110,7 @@ class TagBankCheck {
     put(dut_.read_i, 0);
     put(dut_.invalidate_i, 0);
     put(dut_.any_miss_i, 0);
+    put(dut_.any_missed_i, 0);
     put(dut_.rst_ni, 1);
     dut_.eval();
     put(dut_.rst_ni, 0);
@@ -142,6 +143,7 @@ class TagBankCheck {
     put(dut_.set_i, now ? now->set : below(kBankSets));
     put(dut_.line_i, now ? now->line : below(1U << 26));
     const std::vector<OthersMiss> before = others_;
+    put(dut_.any_missed_i, any_miss_);
     drive_others();
     for (unsigned t = 0; t < kBankTmus; ++t) put_line(t, before[t].line);
     dut_.eval();
@@ -173,15 +175,15 @@ class TagBankCheck {
            ", expected " + (use.hit ? "a hit" : "a miss") + " at " + std::to_string(place);
   }
 
-  /// What other TMUs miss in this cycle is looked for in what stood here at its start.
+  /// What other TMUs look up in a cycle with a miss is looked for in what stood here at its start.
   void drive_others() {
-    std::uint32_t miss = 0, miss_set = 0;
+    std::uint32_t miss_set = 0;
+    any_miss_ = one_in(2);
     for (unsigned t = 0; t < kBankTmus; ++t) {
       others_[t] = {below(1U << 26), false};
       const unsigned number = below(kBankSets);
       miss_set |= number << 8 * t;
-      if (!one_in(2)) continue;
-      miss |= 1U << t;
+      if (!any_miss_) continue;
       const ListedSet& set = sets_[number];
       const std::optional<std::uint32_t> stands = set.line[below(ways_)];
       others_[t].line = stands && one_in(2) ? *stands : pick_line(number);
@@ -191,8 +193,7 @@ class TagBankCheck {
         held_in_way_[way] += set.line[way] == others_[t].line;
       }
     }
-    put(dut_.any_miss_i, miss != 0);
-    put(dut_.miss_i, miss);
+    put(dut_.any_miss_i, any_miss_);
     put(dut_.miss_set_i, miss_set);
   }
   /// Bits 26 t and on of a port of 78 bits.
@@ -209,6 +210,7 @@ class TagBankCheck {
   std::vector<ListedSet> sets_;
   std::vector<unsigned> replaced_, held_in_way_;
   std::vector<OthersMiss> others_ = std::vector<OthersMiss>(kBankTmus);
+  bool any_miss_ = false;
   std::optional<LookUp> next_;
   std::mt19937 rng_{3};
   VerilatedContext context_;
