@@ -1,6 +1,6 @@
 // Fragments and cycles a second of the pipeline model's timings, values apart, and of the Verilated
 // unit: 1024 x 1024 LRGB, bilinear, on a plane, 16 x 16 tiles, cold, default memory
-// (docs/spec/pipeline.md, "Two timings"). SystemC elaborates once a process.
+// (docs/spec/unit-timing.md, "Two timings"). SystemC elaborates once a process.
 #include <cstdio>
 #include <ctime>
 #include <limits>

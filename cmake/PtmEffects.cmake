@@ -12,7 +12,7 @@ set(PTM_EFFECTS_EXTRA "" CACHE PATH "A folder with an effects.def and the effect
 #   effects/golden_effects.inc   for golden/effects/effect.cpp
 #   effects/reference_stages.h   includes model/reference/effects/<stage>.h, lists PTM_REFERENCE_STAGES(X)
 #   effects/pipeline_stages.h    the same of model/pipeline
-#   rtl/ptm_effect_chain.sv      the stages, one behind the other (EffectChain.cmake)
+#   <folder>/rtl/ptm_effect_chain.sv  the stages, one behind the other (EffectChain.cmake)
 #
 # and sets PTM_EFFECTS (ids that are ON), PTM_EFFECTS_OFF, PTM_STAGES (ids), PTM_STAGE_NUMBERS.
 function(ptm_effect_files folder)

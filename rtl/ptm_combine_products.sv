@@ -5,7 +5,7 @@
 //   none 1, 0 | modulate C, 0 | decal 255 - Ca, Ca | blend kd, ka | add 1, 1 | replace 0, 1
 //
 // so that the modes differ in factors here and in what ptm_combine_scale does with the sum.
-// Twin: combine_channel() in model/reference/unit/shade.h. Combinational.
+// Twin: combine_channel() in model/reference/unit/combine.h. Combinational.
 module ptm_combine_products (
   input  logic [2:0]      combine_i,
   input  logic [23:0]     lit_i,    // P, red lowest

@@ -3,7 +3,7 @@
 //   modulate, decal  div255(s)            blend  min(255, narrow(s, 8))
 //   none, add, replace  min(255, s)                                    docs/spec/unit.md, U11
 //
-// Twin: combine_channel() in model/reference/unit/shade.h. Combinational.
+// Twin: combine_channel() in model/reference/unit/combine.h. Combinational.
 module ptm_combine_scale #(
   parameter int RoundNearest = 1
 ) (

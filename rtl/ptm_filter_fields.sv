@@ -5,8 +5,8 @@
 //
 // Word w of a draw lies on TMU w mod Tmus in group w / Tmus; a field takes its value from the lane
 // of its word there, or of the palette's word (TMU 0, group 0), and only from beats that bring it.
-// Control is the caller's (ptm_filter). Twins: word_use() in model/reference/unit/texel_fields.h,
-// shade() in shade.h.
+// Control is the caller's (ptm_filter). Twins: shade() in model/reference/unit/shade.h,
+// own_word_use() in model/reference/unit/texel_fields.h.
 module ptm_filter_fields #(
   parameter int CoefBits     = 8,
   parameter int RoundNearest = 1,

@@ -1,6 +1,6 @@
 // Linear interpolation of stored, unsigned values, before D1.
 //
-//   y = a + narrow((b - a) * f, 8)             docs/spec/datapath.md, Filtering coefficients
+//   y = a + narrow((b - a) * f, 8)                                docs/spec/datapath.md, Steps
 //
 // The result lies between a and b, so it needs no more bits than they have.
 // Twin: ptm::reference::lerp() in model/reference/lerp.h. Combinational.

@@ -27,7 +27,7 @@ void check_frame(const PlaneStream& stream, const charls::frame_info& frame, int
                    runs * static_cast<std::uint64_t>(height));
 }
 
-/// The stream up to its last end marker, FF D9. Coded texels cannot hold these bytes (an FF is
+/// The stream up to its last end marker, FFD9. Coded texels cannot hold these bytes (an FF is
 /// followed by a byte below 80). CharLS 2.4.1, given a stream without one, works on for minutes.
 std::span<const std::uint8_t> up_to_end_marker(const PlaneStream& stream) {
   constexpr std::array<std::uint8_t, 2> marker{0xff, 0xd9};

@@ -9,7 +9,7 @@
 
 namespace ptm::golden {
 
-/// Order of names with runs of digits compared as numbers and letters by no case: a2 before A10.
+/// Order of names, runs of digits compared as numbers and letters by no case: "a2" before "A10".
 [[nodiscard]] bool natural_less(const std::string& a, const std::string& b);
 
 /// The pictures of a folder in natural order of their names: plain files whose extension belongs to

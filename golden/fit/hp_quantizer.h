@@ -17,7 +17,7 @@ struct CoefficientRange {
   void add(const CoefficientRange& other);
 };
 
-/// Scale and bias of HP's fitter, for comparison with it: docs/spec/fit.md, H1 to H4.
+/// Scale and bias of HP's fitter, for comparison with it: docs/spec/fit.md, Q2.
 ///
 ///     range = high - low = m 2^e, 1/2 <= m < 1      scale = 2^(e - 8)
 ///     low < 0:  bias = int(-low / scale + 1), the scale doubled until bias <= 255

@@ -10,7 +10,7 @@
 namespace ptm::pipeline {
 
 /// N pipeline registers in a row (rtl/ptm_stream_chain.sv). A register accepts when it is empty or
-/// being emptied (docs/spec/pipeline.md, T6), so with enter_i(n) the cycle of item n's transfer
+/// being emptied (docs/spec/unit-timing.md, T6), so with enter_i(n) the cycle of item n's transfer
 /// into register i:
 ///
 ///     enter_i(n) = max(enter_(i-1)(n) + 1, enter_(i+1)(n-1))

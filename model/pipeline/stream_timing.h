@@ -6,7 +6,7 @@ namespace ptm::pipeline {
 using Cycle = std::uint64_t;  ///< 0 is the first cycle after reset
 
 /// Random gaps before a unit's inputs and stalls at its output, the same for every model: pure
-/// hashes of (seed, item or cycle), never a running generator (docs/spec/pipeline.md, T7).
+/// hashes of (seed, item or cycle), never a running generator (docs/spec/unit-timing.md, T7).
 struct StreamTiming {
   std::uint64_t seed = 0;
   double input_gap = 0;     ///< probability that an operand keeps the unit waiting

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// From real coefficients to the hardware's integers: docs/spec/datapath.md, "Where the bits come
-/// from". Colour bytes are not touched here; they stay with the caller.
+/// From real coefficients to the hardware's integers: docs/spec/quantize.md, and of
+/// their formats docs/spec/datapath.md. Colour bytes are not touched; they stay with the caller.
 namespace ptm::quantize {
 
 inline constexpr std::size_t kSix = 6;  ///< coefficients of a polynomial, a0 (lu^2) first

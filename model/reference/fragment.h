@@ -11,7 +11,7 @@ namespace ptm::reference {
 inline constexpr int kCoordinateFrac = 20;  ///< texture coordinates are Q8.20 with a sign
 using contract::kLargestSide;
 
-/// What the unit is asked at one pixel; twin of the fragment stream of docs/spec/pipeline.md.
+/// What the unit is asked at one pixel; docs/spec/pipeline.md, Coordinates, has its formats.
 struct Fragment {
   std::int32_t x = 0, y = 0;  ///< the pixel, carried along
   Value u = 0, v = 0;         ///< Q8.20: 1.0 is the texture's width or height

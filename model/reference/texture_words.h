@@ -15,7 +15,7 @@ namespace ptm::reference {
 ///     RGB   6 planes: (a0 a1 a2), (a3 a4 a5) of red, then green, then blue
 ///
 /// The first field is in the low bits; coefficient fields are max(8, coef_bits) wide, colour
-/// fields 8. Source: HPL-98-131, section 3 (two 24-bit textures); docs/spec/pipeline.md, Texels.
+/// fields 8. Source: HPL-98-131, section 3 (two 24-bit textures); docs/spec/pipeline.md, Words.
 struct TextureLayout {
   int width = 0, height = 0;
   int planes = 3;      ///< 3 (LRGB) or 6 (RGB)

@@ -2,7 +2,7 @@
 //
 // The stages behind C2 in order of their numbers, those of the mask Stages; what is not in it is
 // not there.                                                       docs/spec/effects.md, Time
-// Twin: the effect chain in model/pipeline.
+// Twin: model/pipeline/unit/effect_chain.h.
 `include "ptm_assert.svh"
 module ptm_effect_chain #(
   parameter int LumBits      = 10,  // EvalConfig

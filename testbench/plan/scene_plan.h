@@ -47,8 +47,8 @@ struct ScenePlan {
   reference::UnitConfig unit;        ///< the scene's hardware with what its effects need built in
 };
 
-/// Cycles of one fragment whose lines are all hits and that no seam splits: docs/spec/
-/// unit-timing.md and effects.md, "Cycles per pixel".
+/// Cycles of one fragment whose lines are all hits and that no seam splits:
+/// docs/spec/unit-timing.md, "Cycles per pixel"; docs/spec/effects.md, "Time".
 [[nodiscard]] int warm_cycles(const reference::Draw& draw, const reference::UnitConfig& unit,
                               const reference::UnitFragment& fragment);
 

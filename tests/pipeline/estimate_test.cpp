@@ -1,5 +1,5 @@
 // Timing `loose` against `exact`: total cycles within 3 % on 65,536 fragments
-// (docs/spec/pipeline.md, "Two timings").
+// (docs/spec/unit-timing.md, "Two timings").
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -29,7 +29,7 @@ TEST(ColorScale, FlagsExactlyTheChannelsThatWereLimited) {
 TEST(ColorScale, DropsLuminanceAndFilterFractionTogether) {
   EvalConfig config = kWide;  // lum_frac 4
   config.filter_frac = 2;
-  // 100.5 (Q4) times 128.25 (Q2) is 12889.125; over 255 it is 50.55.
+  // 100.5 (4 fraction bits) times 128.25 (2) is 12889.125; over 255 it is 50.55.
   const auto color = color_scale(config, color_products(Value{1608}, Three<Value>{513, 0, 0}));
   EXPECT_EQ(color.out[0], 51);
 }

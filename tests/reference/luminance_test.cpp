@@ -20,7 +20,7 @@ struct Expected {
   bool saturated = false;
 };
 
-/// datapath.md, "One luminance", read once more with division instead of shifts.
+/// docs/spec/datapath.md, "Steps", read once more with division instead of shifts.
 Expected by_division(const EvalConfig& c, const LrgbOperands<>& in) {
   const bool nearest = c.rounding == Rounding::nearest;
   const Wide delta_top = Wide{1} << (c.delta_bits + c.filter_frac - 1);

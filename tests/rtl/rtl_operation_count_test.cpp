@@ -1,5 +1,5 @@
-// The operators in the RTL as Yosys sees them, by the rule of docs/spec/datapath.md, 'Counting
-// operations': after `hierarchy; proc; opt_clean`, not flattened, counted times instances.
+// The operators in the RTL as Yosys sees them, by the rule of docs/spec/evaluator.md,
+// "Operators": after `hierarchy; proc; opt_clean`, not flattened, counted times instances.
 #include <array>
 #include <iostream>
 #include <map>

@@ -34,7 +34,7 @@ struct BeatPlan {
   unsigned words = 0;
   std::array<WordPlan, kTmusMax> word{};
   std::array<unsigned, 2> words_of{};       ///< of map and colour
-  std::array<unsigned, 2> filter_fields{};  ///< of those words, docs/spec/unit.md, "multiply"
+  std::array<unsigned, 2> filter_fields{};  ///< of those words, for multiplies: docs/spec/unit.md
   unsigned address_multiplies = 0;          ///< without those of probes
   unsigned palette_ports = 0;               ///< 0: no word of it is looked up
 };
