@@ -1,11 +1,14 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
+#include "testbench/run/made_by.h"
+
 /// One function a command: it adds the command, its options and what it does to the program.
 /// A command reports trouble by throwing; main() turns that into the exit code.
 namespace ptm::testbench {
 
-void add_run_command(CLI::App& app);
+/// Its report says what made it.
+void add_run_command(CLI::App& app, const Invocation& invocation);
 void add_render_command(CLI::App& app);
 void add_vectors_command(CLI::App& app);
 void add_info_command(CLI::App& app);

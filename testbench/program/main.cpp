@@ -8,6 +8,7 @@
 
 #include "golden/files/ending_signals.h"
 #include "golden/files/input_error.h"
+#include "testbench/program/build_info.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
 
@@ -26,7 +27,9 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of the write, not the end
   CLI::App app{"Hardware for Polynomial Texture Maps, and the means to trust it", "ptmsim"};
   app.require_subcommand(1);
-  ptm::testbench::add_run_command(app);
+  const ptm::testbench::Invocation invocation = ptm::testbench::invocation(argc, argv);
+  app.set_version_flag("--version", ptm::testbench::program_text(invocation));
+  ptm::testbench::add_run_command(app, invocation);
   ptm::testbench::add_plan_command(app);
   ptm::testbench::add_config_command(app);
   ptm::testbench::add_render_command(app);

@@ -148,8 +148,9 @@ RunFigures figures_of(const std::string& preset, const RunResult& result,
   return figures;
 }
 
-RunFigures run_one(const RunOptions& options) {
-  const SceneRun run = golden::is_unit_scene(options.scene) ? run_unit(options) : run_flat(options);
+RunFigures run_one(const RunOptions& options, const Invocation& invocation) {
+  SceneRun run = golden::is_unit_scene(options.scene) ? run_unit(options) : run_flat(options);
+  run.result.made_by = made_by(invocation);
   const RunComparison comparison = compare_run(run.result);
   const ReportPaths report = write_report(run.result, comparison, options.out);
   print_summary(run.result, comparison);
@@ -174,24 +175,25 @@ void print_figures(const std::vector<RunFigures>& rows) {
 }
 
 /// The scene with each preset, a report each.
-std::vector<RunFigures> run_presets(const RunOptions& options) {
+std::vector<RunFigures> run_presets(const RunOptions& options, const Invocation& invocation) {
   std::vector<RunFigures> rows;
   for (const std::string& preset : options.presets) {
     RunOptions one = options;
     one.config.preset = preset;
     one.out = (std::filesystem::path(options.out) / preset).string();
     std::cout << (rows.empty() ? "" : "\n") << "with preset " << preset << ":\n";
-    rows.push_back(run_one(one));
+    rows.push_back(run_one(one, invocation));
   }
   print_figures(rows);
   return rows;
 }
 
-void run(RunOptions options) {
+void run(RunOptions options, const Invocation& invocation) {
   expect_file(options.scene, golden::FileType::scene);
   if (options.presets.size() == 1) options.config.preset = options.presets.front();
   const std::vector<RunFigures> rows =
-      options.presets.size() > 1 ? run_presets(options) : std::vector<RunFigures>{run_one(options)};
+      options.presets.size() > 1 ? run_presets(options, invocation)
+                                 : std::vector<RunFigures>{run_one(options, invocation)};
   for (const RunFigures& row : rows) {
     if (row.disagreement) std::rethrow_exception(row.disagreement);
   }
@@ -199,7 +201,7 @@ void run(RunOptions options) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app) {
+void add_run_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand(
       "run", "Render a scene with each model, compare the pictures, write a report");
@@ -218,7 +220,7 @@ void add_run_command(CLI::App& app) {
   add_set_option(*command, options->config);
   command->add_flag("--cost-of-effects", options->effect_costs,
                     "Draw the scene again without each of its effects, and report what each costs");
-  command->callback([options] { run(*options); });
+  command->callback([options, invocation] { run(*options, invocation); });
 }
 
 }  // namespace ptm::testbench

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "testbench/report/html_effects.h"
+#include "testbench/report/html_made_by.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/html_unit.h"
 
@@ -153,6 +154,7 @@ std::string report_html(const RunResult& result, const RunComparison& comparison
   html::add_effect_costs(page, result);
   html::add_cost_tables(page, result);
   html::add_worst_pixels(page, result, comparison);
+  html::add_made_by(page, result);
   page += "</main>\n";
   html::add_definitions(page, result);
   page += "</body>\n</html>\n";

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "testbench/report/config_json.h"
+#include "testbench/rtl/digest.h"
+
 namespace ptm::testbench {
 namespace {
 
@@ -27,15 +30,16 @@ Json scene_json(const RunResult& result) {
 }
 
 Json model_json(const ModelResult& model) {
-  Json pictures = Json::array();
+  Json pictures = Json::array(), digests = Json::array();
   for (std::size_t f = 0; f < model.frames.size(); ++f) {
     pictures.push_back(picture_name(model.model, f, model.frames.size()));
+    digests.push_back(picture_digest(model.frames[f]));
   }
   Json counters = Json::object();
   for (const Counter& counter : model.counters) counters[counter.name] = counter.value;
   return {{"picture", pictures.front()},
           {"pictures", pictures},
-          {"seconds", model.seconds},
+          {"digests", digests},
           {"cycles", model.cycles ? Json(*model.cycles) : Json(nullptr)},
           {"counters", std::move(counters)}};
 }
@@ -92,7 +96,47 @@ Json pixel_json(const ProbedPixel& pixel) {
           {"error", pixel.where.error}, {"models", std::move(models)}};
 }
 
+Json made_by_json(const MadeBy& made) {
+  const Invocation& program = made.invocation;
+  return {{"version", program.version},
+          {"commit", program.commit},
+          {"sources_changed", program.changed ? Json(*program.changed) : Json(nullptr)},
+          {"command", program.command},
+          {"date", made.date},
+          {"tools",
+           {{"compiler", made.compiler}, {"verilator", made.verilator}, {"systemc", made.systemc}}},
+          {"machine",
+           {{"cpu", made.cpu},
+            {"cores", made.cores},
+            {"system", made.system},
+            {"kernel", made.kernel}}}};
+}
+
+/// All wall times of a report, in seconds.
+Json timing_json(const RunResult& result) {
+  Json json = {{"models", Json::object()}};
+  for (const ModelResult& model : result.models) json["models"][model.model] = model.seconds;
+  if (result.unit) {
+    json["unit"] = Json::object();
+    for (const UnitTiming& timing : result.unit->timings) {
+      json["unit"][timing.model] = timing.seconds;
+    }
+  }
+  if (result.costs) json["effects"] = effect_times_json(*result.costs);
+  return json;
+}
+
 }  // namespace
+
+std::string picture_digest(const golden::ImageReal& image) {
+  std::string levels;
+  levels.reserve(image.samples.size());
+  for (const double sample : image.samples) levels.push_back(static_cast<char>(level8(sample)));
+  Digest digest;
+  digest.add(std::to_string(image.width) + " " + std::to_string(image.height));
+  digest.add(levels);
+  return digest.text();
+}
 
 std::string picture_name(const std::string& model, std::size_t frame, std::size_t frames) {
   if (frames < 2) return model + ".png";
@@ -102,7 +146,10 @@ std::string picture_name(const std::string& model, std::size_t frame, std::size_
 }
 
 Json report_json(const RunResult& result, const RunComparison& comparison) {
-  Json json = {{"version", 1}, {"scene", scene_json(result)}, {"models", Json::object()}};
+  Json json = {{"version", kReportVersion},
+               {"scene", scene_json(result)},
+               {"config", config_json(result.config)},
+               {"models", Json::object()}};
   for (const ModelResult& model : result.models) json["models"][model.model] = model_json(model);
   json["agree"] = comparison.models_agree();
   json["edge_samples"] = comparison.edge_samples;
@@ -117,6 +164,8 @@ Json report_json(const RunResult& result, const RunComparison& comparison) {
   if (result.unit) json["unit"] = unit_json(*result.unit);
   if (result.costs) json["effects"] = effect_costs_json(*result.costs);
   json["notes"] = result.notes;
+  json["made_by"] = made_by_json(result.made_by);
+  json["timing"] = timing_json(result);
   return json;
 }
 

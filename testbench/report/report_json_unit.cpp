@@ -6,19 +6,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json config_json(const reference::UnitConfig& config) {
-  return {{"tmus", config.tmus},
-          {"cache_kib", config.cache_kib},
-          {"ways", config.ways},
-          {"fragment_fifo", config.fragment_fifo},
-          {"miss_fifo", config.miss_fifo},
-          {"palette_lrgb_ports", config.palette_lrgb_ports},
-          {"palette_rgb_ports", config.palette_rgb_ports},
-          {"eval_lanes", config.eval_lanes},
-          {"counters", config.counters},
-          {"duplicate_lines", config.duplicate_lines}};
-}
-
 Json name_or_null(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
 
 Json draw_json(const UnitDraw& draw) {
@@ -39,8 +26,7 @@ Json timing_json(const reference::UnitConfig& config, const UnitTiming& timing) 
     if (spared && timing.counters.value[n] == 0) continue;
     counters[std::string(reference::unit_counter_names()[n])] = timing.counters.value[n];
   }
-  return {{"seconds", timing.seconds},
-          {"estimate", timing.estimate},
+  return {{"estimate", timing.estimate},
           {"counters", std::move(counters)},
           {"lines_per_window", timing.lines_per_window}};
 }
@@ -48,13 +34,9 @@ Json timing_json(const reference::UnitConfig& config, const UnitTiming& timing) 
 }  // namespace
 
 Json unit_json(const UnitSection& unit) {
-  Json json = {{"config", config_json(unit.config)},
-               {"memory", unit.memory},
-               {"window", unit.window},
-               {"draws", Json::array()},
-               {"timings", Json::object()},
-               {"late_pixels", unit.late_pixels},
-               {"differing_counters", unit.differing_counters}};
+  Json json = {{"memory", unit.memory},           {"window", unit.window},
+               {"draws", Json::array()},          {"timings", Json::object()},
+               {"late_pixels", unit.late_pixels}, {"differing_counters", unit.differing_counters}};
   if (!unit.effect_blocks.empty()) json["effect_blocks"] = unit.effect_blocks;
   for (const UnitDraw& draw : unit.draws) json["draws"].push_back(draw_json(draw));
   for (const UnitTiming& timing : unit.timings) {

@@ -10,6 +10,8 @@
 #include "model/reference/unit/unit_config.h"
 #include "model/reference/unit/unit_counters.h"
 #include "testbench/run/effect_cost.h"
+#include "testbench/run/made_by.h"
+#include "testbench/run/run_config.h"
 
 namespace ptm::testbench {
 
@@ -89,6 +91,8 @@ struct FrameLight {
 struct RunResult {
   std::string scene_file, map_file, map_format, preset;
   int width = 0, height = 0;
+  RunConfig config;                   ///< of the models
+  MadeBy made_by;                     ///< set by the command that runs
   std::vector<FrameLight> lights;     ///< one a frame
   std::vector<ModelResult> models;    ///< in the order golden, reference, pipeline, rtl
   std::vector<PresetFrames> presets;  ///< for the table "error against golden per preset"

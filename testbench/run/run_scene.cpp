@@ -137,6 +137,8 @@ SceneRun run_scene(const golden::Scene& scene) {
   result.scene_file = job->name;
   result.map_file = job->map_file.string();
   result.preset = name_of(job->config);
+  result.config.evaluator = job->config;
+  result.config.tmus = job->tmus;
   result.width = job->width;
   result.height = job->height;
   for (const golden::Light& light : job->lights) result.lights.push_back({light.u, light.v, 0});

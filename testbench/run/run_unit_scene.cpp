@@ -93,6 +93,13 @@ void describe_scene(const UnitJob& job, RunResult& result) {
   }
   result.map_format = "texture unit";
   result.preset = name_of(job.config);
+  result.config.evaluator = job.config;
+  result.config.tmus = job.unit.tmus;
+  result.config.unit = {
+      job.unit,
+      job.memory,
+      job.scene.stress,
+      {job.scene.traversal, job.scene.tile, job.scene.keep_cache, job.scene.draw_twice}};
   result.width = job.scene.size[0];
   result.height = job.scene.size[1];
   for (const golden::LightSpec& light : job.scene.lights) {

@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/program/small_map.h"
 #include "tests/run_program.h"
@@ -163,6 +164,42 @@ TEST_F(RunCommand, EndsWithTwoWhenUsedWrongly) {
   EXPECT_EQ(run("run scene.toml --out x --models vulkan").code, 2);
   EXPECT_EQ(run("").code, 2);
   EXPECT_EQ(run("--help").code, 0);
+}
+
+TEST_F(RunCommand, IsOfAProgramThatSaysItsVersionAndCommit) {
+  const tests::Outcome outcome = run("--version");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(std::regex_match(
+      outcome.out, std::regex("ptmsim [0-9]+\\.[0-9]+\\.[0-9]+, commit (unknown|[0-9a-f]{40})"
+                              "(, sources changed since)?\n")))
+      << outcome.out;
+}
+
+TEST_F(RunCommand, WritesTheSameAgainButForWhatMadeItAndTheTimes) {
+  write_map(golden::MapKind::rgb, 18, 11);
+  const auto path = scene(kLight + "[hardware]\npreset = \"wide\"\ntmus = 2\n");
+  const auto report_of = [&](const std::string& folder) {
+    const std::string arguments = "run " + path + " --out " + quoted(file(folder));
+    EXPECT_EQ(run(arguments).code, 0);
+    return nlohmann::ordered_json::parse(tests::text_of(file(folder) / "report.json"));
+  };
+  nlohmann::ordered_json first = report_of("a"), second = report_of("b");
+  EXPECT_EQ(first["made_by"]["command"].size(), 5U);
+  EXPECT_EQ(first["made_by"]["command"][1], "run");
+  EXPECT_EQ(first["made_by"]["command"][4], file("a").string());
+  EXPECT_EQ(second["made_by"]["command"][4], file("b").string());
+  EXPECT_GT(first["timing"]["models"]["rtl"], 0);
+  EXPECT_EQ(first["config"]["evaluator"]["guard"], 10) << "of the preset wide";
+  EXPECT_EQ(first["config"]["unit"]["tmus"], 2);
+  for (auto* report : {&first, &second}) {
+    report->erase("made_by");
+    report->erase("timing");
+  }
+  EXPECT_EQ(first.dump(), second.dump());
+  for (const char* model : {"golden", "reference", "pipeline", "rtl"}) {
+    const std::string picture = std::string(model) + ".png";
+    EXPECT_EQ(tests::text_of(file("a") / picture), tests::text_of(file("b") / picture));
+  }
 }
 
 }  // namespace

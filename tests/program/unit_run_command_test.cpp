@@ -146,7 +146,7 @@ TEST_F(UnitRunCommand, DrawsHardwareThatIsNotBuiltAsRtlWithTheOtherModels) {
   const auto outcome = run("run " + path + out() + " --models golden,reference,pipeline");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(report().at("models").size(), 3U);
-  EXPECT_EQ(report().at("unit").at("config").at("cache_kib"), 4);
+  EXPECT_EQ(report().at("config").at("unit").at("cache_kib"), 4);
   EXPECT_EQ(report().at("unit").at("timings").size(), 2U) << "pipeline and loose";
   EXPECT_GT(counter("pipeline", "cycles"), 0U);
 }

@@ -37,7 +37,7 @@ def is_free(path):
     value), or it is only there for scenes of the whole unit."""
     if path == ("unit",):
         return True
-    if path[:2] == ("unit", "timings"):
+    if path[:2] == ("unit", "timings") or path[:2] == ("timing", "unit"):
         return len(path) == 3
     return "counters" in path[:-1] or "values" in path[:-1] or path[-2:-1] == ("models",)
 
@@ -50,7 +50,8 @@ def damaged(report):
             del parent_of(without, path)[path[-1]]
             yield path, "left out", without
         wrong = copy.deepcopy(report)
-        flags = ("agree", "estimate", "counters", "duplicate_lines")
+        flags = ("agree", "estimate", "counters", "duplicate_lines", "half_vector", "keep_cache",
+                 "draw_twice", "sources_changed")
         parent_of(wrong, path)[path[-1]] = "yes" if path[-1] in flags else True
         yield path, "of a wrong type", wrong
     misspelt = copy.deepcopy(report)

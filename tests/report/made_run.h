@@ -65,6 +65,18 @@ inline testbench::RunResult made_run(int width, int height, std::size_t lights) 
   run.map_file = "ball.ptm";
   run.map_format = "PTM_FORMAT_LRGB";
   run.preset = "base";
+  run.made_by = {{"0.1.0",
+                  "0123456789abcdef0123456789abcdef01234567",
+                  false,
+                  {"build/release/ptmsim", "run", "scenes/a ball's.toml", "--out", "out"}},
+                 "2026-01-31T23:59:59Z",
+                 "GNU 12.2.0",
+                 "Verilator 5.006",
+                 "2.3.4-Accellera",
+                 "A Processor",
+                 "Debian GNU/Linux 12 (bookworm)",
+                 "Linux 6.1.0 x86_64",
+                 2};
   run.width = width;
   run.height = height;
   run.models = {{"golden", {}, 0.0412, {}, {}},

@@ -68,6 +68,7 @@ inline testbench::RunResult made_unit_run(int width, int height, std::size_t fra
   testbench::RunResult run = made_run(width, height, frames);
   run.scene_file = "scenes/floor_and_ball.toml";
   run.unit = made_unit();
+  run.config.unit = {run.unit->config, pipeline::FixedMemory{}, {}, {}};
   for (testbench::FrameLight& light : run.lights) {
     light = {0.6, -0.48, 0.64, testbench::FrameLight::Kind::direction};
   }
@@ -81,6 +82,7 @@ inline testbench::RunResult made_unit_without_counters(int width, int height,
   testbench::RunResult run = made_unit_run(width, height, 1);
   run.unit->config.counters = only_duplicates;
   run.unit->config.duplicate_lines = false;
+  run.config.unit->unit = run.unit->config;
   run.unit->timings[1].estimate = true;
   for (testbench::UnitTiming& timing : run.unit->timings) {
     if (!timing.estimate) timing.counters.keep_built(run.unit->config);

@@ -69,7 +69,7 @@ TEST_F(ReportFiles, HoldInJsonWhatWasMeasured) {
   EXPECT_EQ(json["models"]["pipeline"]["cycles"], 20 * 15 * 2 + 11);
   EXPECT_TRUE(json["models"]["golden"]["cycles"].is_null());
   EXPECT_EQ(json["models"]["rtl"]["counters"]["stall_cycles"], 5);
-  EXPECT_EQ(json["models"]["golden"]["seconds"], 0.0412);
+  EXPECT_EQ(json["timing"]["models"]["golden"], 0.0412);
   EXPECT_FALSE(json["agree"]);
   ASSERT_EQ(json["differences"].size(), 6U);
   const nlohmann::json& equal = json["differences"][3];
@@ -92,19 +92,21 @@ TEST_F(ReportFiles, HoldInJsonWhatWasMeasured) {
 
 TEST_F(ReportFiles, LeaveOutOfJsonTheCountersThatTheUnitIsBuiltWithout) {
   RunResult run = tests::made_unit_without_counters(8, 8, true);
+  nlohmann::json report;
   const auto unit = [&] {
-    return read_json(write_report(run, compare_run(run), folder_).json)["unit"];
+    report = read_json(write_report(run, compare_run(run), folder_).json);
+    return report["unit"];
   };
   nlohmann::json json = unit();
-  EXPECT_EQ(json["config"]["counters"], true);
-  EXPECT_EQ(json["config"]["duplicate_lines"], false);
+  EXPECT_EQ(report["config"]["unit"]["counters"], true);
+  EXPECT_EQ(report["config"]["unit"]["duplicate_lines"], false);
   const nlohmann::json& rtl = json["timings"]["rtl"]["counters"];
   EXPECT_EQ(rtl.size(), reference::kUnitCounters - 2) << "nor is there a row for effects";
   EXPECT_FALSE(rtl.contains("duplicate_lines"));
   EXPECT_EQ(rtl["lines_read"], 3100);
   run = tests::made_unit_without_counters(8, 8, false);
   json = unit();
-  EXPECT_EQ(json["config"]["counters"], false);
+  EXPECT_EQ(report["config"]["unit"]["counters"], false);
   EXPECT_TRUE(json["timings"]["rtl"]["counters"].empty());
   EXPECT_TRUE(json["timings"]["pipeline"]["counters"].empty());
   EXPECT_EQ(json["timings"]["loose"]["counters"]["cycles"], 119300) << "an estimate, no counter";
@@ -112,8 +114,9 @@ TEST_F(ReportFiles, LeaveOutOfJsonTheCountersThatTheUnitIsBuiltWithout) {
 
 TEST_F(ReportFiles, HoldInJsonEveryCounterOfTheWholeUnit) {
   const RunResult run = tests::made_late_run(8, 8);
-  const nlohmann::json json = read_json(write_report(run, compare_run(run), folder_).json)["unit"];
-  EXPECT_EQ(json["config"]["fragment_fifo"], 192);
+  const nlohmann::json report = read_json(write_report(run, compare_run(run), folder_).json);
+  EXPECT_EQ(report["config"]["unit"]["fragment_fifo"], 192);
+  const nlohmann::json& json = report["unit"];
   EXPECT_EQ(json["memory"], run.unit->memory);
   EXPECT_EQ(json["draws"][0]["color"], "grass.png");
   EXPECT_TRUE(json["draws"][1]["color"].is_null());
@@ -124,7 +127,7 @@ TEST_F(ReportFiles, HoldInJsonEveryCounterOfTheWholeUnit) {
   EXPECT_EQ(rtl["counters"]["cycles"], 117422);
   EXPECT_EQ(rtl["counters"]["multiplies_combine"], 98304);
   EXPECT_EQ(rtl["counters"]["misses_d1_map"], 900);
-  EXPECT_EQ(rtl["seconds"], 0.1526);
+  EXPECT_EQ(report["timing"]["unit"]["rtl"], 0.1526);
   EXPECT_EQ(json["timings"]["pipeline"]["lines_per_window"].size(), 1836U);
   EXPECT_TRUE(json["timings"]["loose"]["lines_per_window"].empty());
   EXPECT_EQ(json["timings"]["loose"]["counters"].size(), 5U);
@@ -135,7 +138,80 @@ TEST_F(ReportFiles, HoldInJsonEveryCounterOfTheWholeUnit) {
 
 TEST_F(ReportFiles, SayNothingOfTheUnitForAFlatScene) {
   const RunResult run = made_run(5, 4, 1);
-  EXPECT_FALSE(read_json(write_report(run, compare_run(run), folder_).json).contains("unit"));
+  const nlohmann::json json = read_json(write_report(run, compare_run(run), folder_).json);
+  EXPECT_FALSE(json.contains("unit"));
+  EXPECT_EQ(json["config"]["unit"], (nlohmann::json{{"tmus", 3}}));
+  EXPECT_FALSE(json["config"].contains("memory"));
+}
+
+TEST_F(ReportFiles, HoldInJsonEveryParameterOfTheConfiguration) {
+  RunResult run = tests::made_unit_run(5, 4, 1);
+  run.config.evaluator = reference::kPaper8;
+  run.config.evaluator.shift_groups = 3;
+  UnitRunConfig& unit = *run.config.unit;
+  unit.unit.eval_lanes = 3;
+  unit.unit.extra_passes = 2;
+  unit.unit.half_vector = true;
+  unit.unit.stages = 5;
+  unit.memory = pipeline::DramMemory{.banks = 4, .tRCD = 17};
+  unit.stress = {3, 4, 99};
+  unit.frames = {golden::Traversal::scan, 8, true, true};
+  const auto config = [&] {
+    return read_json(write_report(run, compare_run(run), folder_).json)["config"];
+  };
+  nlohmann::json json = config();
+  EXPECT_EQ(json["evaluator"]["rounding"], "truncate");
+  EXPECT_EQ(json["evaluator"]["shift_groups"], 3);
+  EXPECT_EQ(json["evaluator"].size(), 12U);
+  EXPECT_EQ(json["unit"]["eval_lanes"], 3);
+  EXPECT_EQ(json["effects"]["half_vector"], true);
+  EXPECT_EQ(json["effects"]["extra_passes"], 2);
+  EXPECT_EQ(json["effects"]["stages"], (nlohmann::json{"power", "add"}));
+  EXPECT_EQ(json["memory"]["kind"], "dram");
+  EXPECT_EQ(json["memory"]["tRCD"], 17);
+  EXPECT_EQ(json["memory"].size(), 11U);
+  EXPECT_EQ(json["stress"]["seed"], 99);
+  EXPECT_EQ(json["frames"]["traversal"], "scan");
+  EXPECT_EQ(json["frames"]["draw_twice"], true);
+  unit.memory = pipeline::RandomMemory{.seed = 5, .latency_max = 77};
+  json = config();
+  EXPECT_EQ(
+      json["memory"],
+      (nlohmann::json{{"kind", "random"}, {"seed", 5}, {"latency_min", 1}, {"latency_max", 77}}));
+}
+
+TEST_F(ReportFiles, DifferInNothingButWhatMadeThemAndTheTimes) {
+  RunResult run = tests::made_late_run(9, 7);
+  const auto rest = [&] {
+    nlohmann::ordered_json json = report_json(run, compare_run(run));
+    json.erase("made_by");
+    json.erase("timing");
+    return json.dump();
+  };
+  const std::string before = rest();
+  run.made_by = {
+      {"9.9", "unknown", {}, {"ptmsim"}}, "2027-01-01T00:00:00Z", "a", "b", "c", "d", "e", "f", 64};
+  for (ModelResult& model : run.models) model.seconds *= 3;
+  for (UnitTiming& timing : run.unit->timings) timing.seconds *= 5;
+  EXPECT_EQ(rest(), before);
+  EXPECT_EQ(before.find("seconds"), std::string::npos);
+}
+
+TEST_F(ReportFiles, HoldADigestOfEveryPictureThatTellsItFromOthers) {
+  RunResult run = made_run(6, 5, 2);
+  const auto digests = [&](const char* model) {
+    return report_json(run, compare_run(run))["models"][model]["digests"];
+  };
+  const auto before = digests("rtl");
+  ASSERT_EQ(before.size(), 2U);
+  EXPECT_NE(before[0], before[1]) << "other lights, other pictures";
+  EXPECT_EQ(digests("reference"), before);
+  double& sample = run.models[3].frames[1].at(5, 4, 2);
+  sample += sample < 128 ? 1 : -1;
+  EXPECT_EQ(digests("rtl")[0], before[0]);
+  EXPECT_NE(digests("rtl")[1], before[1]);
+  golden::ImageReal wide(4, 1, 1), high(1, 4, 1);
+  EXPECT_NE(picture_digest(wide), picture_digest(high));
 }
 
 TEST_F(ReportFiles, ReplaceAnEarlierReportAndLeaveNoTemporaryFile) {

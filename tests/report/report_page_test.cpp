@@ -38,6 +38,24 @@ TEST(ReportPage, EscapesHostileNamesWhereverTheyStand) {
   EXPECT_GE(count(page, "&lt;script&gt;"), 9U);
 }
 
+TEST(ReportPage, SaysTheConfigurationTheCommandAndTheMachine) {
+  RunResult run = made_run(4, 4, 1);
+  run.config.evaluator.guard = 7;
+  run.config.evaluator.rounding = reference::Rounding::truncate;
+  const std::string page = page_of(run);
+  for (const char* fact :
+       {"<dt>guard</dt><dd>7</dd>", "<dt>rounding</dt><dd>truncate</dd>", "<dt>tmus</dt><dd>3</dd>",
+        "commit 0123456789abcdef0123456789abcdef01234567</dd>",
+        "<dd>build/release/ptmsim run &#39;scenes/a ball&#39;\\&#39;&#39;s.toml&#39; --out "
+        "out</dd>",
+        "<dt>Date</dt><dd>2026-01-31T23:59:59Z</dd>", "A Processor, 2 cores"}) {
+    EXPECT_EQ(count(page, fact), 1U) << fact;
+  }
+  EXPECT_EQ(page.find("sources changed"), std::string::npos);
+  run.made_by.invocation.changed = true;
+  EXPECT_NE(page_of(run).find("01234567, sources changed since</dd>"), std::string::npos);
+}
+
 TEST(ReportPage, NamesNoAddressAndHoldsNoScript) {
   const std::string page = page_of(made_faulty_run(24, 16, 3));
   for (const char* forbidden : {"http", "//cdn", "<script", "javascript:", "@import", "url("}) {
