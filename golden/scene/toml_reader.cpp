@@ -48,8 +48,8 @@ void refuse_deep_keys(const std::filesystem::path& path, std::string_view text) 
 
 }  // namespace
 
-toml::table parse_toml(const std::filesystem::path& path) {
-  const std::string text = read_text_file(path, "a scene in TOML");
+toml::table parse_toml(const std::filesystem::path& path, const std::string& what) {
+  const std::string text = read_text_file(path, what);
   refuse_deep_keys(path, text);
   try {
     return toml::parse(text, path.string());

@@ -14,8 +14,10 @@
 
 namespace ptm::golden {
 
-/// The file as a table. Throws InputError with line and column.
-[[nodiscard]] toml::table parse_toml(const std::filesystem::path& path);
+/// The file as a table; `what` names the kind of file that is expected. Throws InputError with line
+/// and column.
+[[nodiscard]] toml::table parse_toml(const std::filesystem::path& path,
+                                     const std::string& what = "a scene in TOML");
 
 /// Reads nodes; every error is an InputError that names the file, the line and the key.
 class Reader {

@@ -18,5 +18,6 @@ void add_fit_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_bump_command(CLI::App& app);
 void add_config_command(CLI::App& app);
+void add_compare_command(CLI::App& app);
 
 }  // namespace ptm::testbench

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   const ptm::testbench::Invocation invocation = ptm::testbench::invocation(argc, argv);
   app.set_version_flag("--version", ptm::testbench::program_text(invocation));
   ptm::testbench::add_run_command(app, invocation);
+  ptm::testbench::add_compare_command(app);
   ptm::testbench::add_plan_command(app);
   ptm::testbench::add_config_command(app);
   ptm::testbench::add_render_command(app);
