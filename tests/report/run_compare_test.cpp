@@ -190,6 +190,7 @@ TEST_F(CompareRuns, AllowNumbersByAbsoluteAndRelativeLimitsAndDecrease) {
   EXPECT_EQ(refused("[cycles]\nabsolute = 100\n"), 1U);
   EXPECT_EQ(refused("[cycles]\nabsolute = 99\n"), 2U);
   EXPECT_EQ(refused("[cycles]\nrelative = 0.001\n"), 1U);
+  EXPECT_EQ(refused("[cycles]\nrelative = 0.00085\n"), 2U) << "99.8 cycles";
   EXPECT_EQ(refused("[cycles]\nrelative = 0.0005\nabsolute = 42\n"), 1U) << "they add up";
   EXPECT_EQ(refused("[cycles]\ndecrease = true\n"), 1U);
   EXPECT_EQ(refused("[counters]\ndecrease = true\n"), 2U) << "more misses are no decrease";
