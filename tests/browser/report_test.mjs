@@ -97,7 +97,7 @@ const faint = (page) => page.evaluate(() => {
 // The whole unit's section: there with everything in it, or with one sentence where the unit is
 // built without counters, or not at all.
 async function checkUnit(page, name, json, same) {
-  const silent = json.unit !== undefined && json.unit.config?.counters === false;
+  const silent = json.unit !== undefined && json.config.unit.counters === false;
   const said = await page.$$eval("p", (all) =>
     all.some((text) => text.textContent.includes("built without counters")));
   expect(said === silent, `${name}: without counters ${silent}, the page says so: ${said}`);
@@ -136,6 +136,12 @@ async function checkAgainstJson(page, name, json) {
   await same("table.values", json.worst.map((pixel) =>
     3 + new Set(Object.values(pixel.models).flatMap((model) => Object.keys(model.values))).size));
   await checkUnit(page, name, json, same);
+  const made = "section[aria-labelledby=made_by]";
+  const parameters = Object.values(json.config).flatMap((table) => Object.keys(table));
+  const named = await page.$$eval(`${made} dt`, (all) => all.map((term) => term.textContent));
+  expect(parameters.every((parameter) => named.includes(parameter)),
+    `${name}: the page's parameters are ${named}, not ${parameters}`);
+  expect((await page.textContent(made)).includes(json.made_by.commit), `${name}: no commit`);
   const title = await page.textContent("h1");
   expect(title === json.scene.file, `${name}: the heading is ${title}, not ${json.scene.file}`);
   const shown = Math.min(12, json.scene.lights.length);
