@@ -36,6 +36,11 @@ Json unit_json(const reference::UnitConfig& config) {
           {"duplicate_lines", config.duplicate_lines}};
 }
 
+bool has_parts_for_effects(const reference::UnitConfig& config) {
+  return config.half_vector || config.extra_sets != 0 || config.extra_passes != 0 ||
+         config.stages != 0;
+}
+
 Json effects_json(const reference::UnitConfig& config) {
   Json stages = Json::array();
   for (const StageRow& stage : stage_rows()) {
@@ -88,7 +93,9 @@ Json config_json(const RunConfig& config) {
     return json;
   }
   json["unit"] = unit_json(config.unit->unit);
-  json["effects"] = effects_json(config.unit->unit);
+  if (has_parts_for_effects(config.unit->unit)) {
+    json["effects"] = effects_json(config.unit->unit);
+  }
   json["memory"] =
       std::visit([](const auto& memory) { return memory_json(memory); }, config.unit->memory);
   json["stress"] = stress_json(config.unit->stress);

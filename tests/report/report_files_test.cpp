@@ -171,6 +171,8 @@ TEST_F(ReportFiles, HoldInJsonEveryParameterOfTheConfiguration) {
   EXPECT_EQ(json["memory"]["tRCD"], 17);
   EXPECT_EQ(json["memory"].size(), 11U);
   EXPECT_EQ(json["stress"]["seed"], 99);
+  EXPECT_FALSE(report_json(tests::made_unit_run(5, 4, 1), {})["config"].contains("effects"))
+      << "a unit without parts for effects says nothing of them";
   EXPECT_EQ(json["frames"]["traversal"], "scan");
   EXPECT_EQ(json["frames"]["draw_twice"], true);
   unit.memory = pipeline::RandomMemory{.seed = 5, .latency_max = 77};
