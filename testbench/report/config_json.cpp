@@ -1,5 +1,10 @@
 #include "testbench/report/config_json.h"
 
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "testbench/config/configuration.h"
 #include "testbench/plan/effect_rows.h"
 
 namespace ptm::testbench {
@@ -7,34 +12,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json evaluator_json(const reference::EvalConfig& config) {
-  const bool nearest = config.rounding == reference::Rounding::nearest;
-  return {{"coef_bits", config.coef_bits},
-          {"delta_bits", config.delta_bits},
-          {"light_int", config.light_int},
-          {"light_frac", config.light_frac},
-          {"basis_frac", config.basis_frac},
-          {"guard", config.guard},
-          {"rounding", nearest ? "nearest" : "truncate"},
-          {"lum_bits", config.lum_bits},
-          {"lum_frac", config.lum_frac},
-          {"shift_min", config.shift_min},
-          {"shift_groups", config.shift_groups},
-          {"filter_frac", config.filter_frac}};
+/// A parameter's value: a number, true or false, or a word.
+Json value_json(const reference::ParameterRow& row, std::int64_t value) {
+  switch (row.kind) {
+    case reference::ParameterKind::flag: return value != 0;
+    case reference::ParameterKind::choice: return row.choices[static_cast<std::size_t>(value)];
+    case reference::ParameterKind::number: return value;
+  }
+  return nullptr;
 }
 
-Json unit_json(const reference::UnitConfig& config) {
-  return {{"tmus", config.tmus},
-          {"cache_kib", config.cache_kib},
-          {"ways", config.ways},
-          {"fragment_fifo", config.fragment_fifo},
-          {"miss_fifo", config.miss_fifo},
-          {"palette_lrgb_ports", config.palette_lrgb_ports},
-          {"palette_rgb_ports", config.palette_rgb_ports},
-          {"eval_lanes", config.eval_lanes},
-          {"counters", config.counters},
-          {"duplicate_lines", config.duplicate_lines}};
+/// Every parameter of a configuration by its name, but for those of other tables of the report.
+template <class Config>
+Json parameters_json(const Config& config, std::span<const std::string_view> without = {}) {
+  using Table = reference::ParameterTable<Config>;
+  Json json = Json::object();
+  for (std::size_t i = 0; i < Table::kCount; ++i) {
+    const reference::ParameterRow& row = Table::rows()[i];
+    if (std::find(without.begin(), without.end(), row.name) != without.end()) continue;
+    json[std::string(row.name)] = value_json(row, Table::get(config, i));
+  }
+  return json;
 }
+
+/// What a unit is built with for effects alone has a table of its own, with stages by their names.
+constexpr std::array<std::string_view, 4> kEffectParts{"half_vector", "extra_sets", "extra_passes",
+                                                       "stages"};
 
 bool has_parts_for_effects(const reference::UnitConfig& config) {
   return config.half_vector || config.extra_sets != 0 || config.extra_passes != 0 ||
@@ -52,22 +55,10 @@ Json effects_json(const reference::UnitConfig& config) {
           {"stages", std::move(stages)}};
 }
 
-Json memory_json(const pipeline::FixedMemory& memory) {
-  return {{"kind", "fixed"}, {"latency", memory.latency}, {"interval", memory.interval}};
-}
-
-Json memory_json(const pipeline::DramMemory& memory) {
-  return {{"kind", "dram"},        {"banks", memory.banks},      {"page_lines", memory.page_lines},
-          {"tRCD", memory.tRCD},   {"tRP", memory.tRP},          {"CL", memory.CL},
-          {"tRAS", memory.tRAS},   {"tREFI", memory.tREFI},      {"tRFC", memory.tRFC},
-          {"burst", memory.burst}, {"overhead", memory.overhead}};
-}
-
-Json memory_json(const pipeline::RandomMemory& memory) {
-  return {{"kind", "random"},
-          {"seed", memory.seed},
-          {"latency_min", memory.latency_min},
-          {"latency_max", memory.latency_max}};
+Json memory_json(const pipeline::MemoryModel& memory) {
+  Json json = {{"kind", memory_kind(memory)}};
+  json.update(std::visit([](const auto& model) { return parameters_json(model); }, memory));
+  return json;
 }
 
 Json stress_json(const golden::StressSpec& stress) {
@@ -87,17 +78,16 @@ Json frames_json(const FrameOrder& frames) {
 }  // namespace
 
 Json config_json(const RunConfig& config) {
-  Json json = {{"evaluator", evaluator_json(config.evaluator)}};
+  Json json = {{"evaluator", parameters_json(config.evaluator)}};
   if (!config.unit) {
     json["unit"] = {{"tmus", config.tmus}};
     return json;
   }
-  json["unit"] = unit_json(config.unit->unit);
+  json["unit"] = parameters_json(config.unit->unit, kEffectParts);
   if (has_parts_for_effects(config.unit->unit)) {
     json["effects"] = effects_json(config.unit->unit);
   }
-  json["memory"] =
-      std::visit([](const auto& memory) { return memory_json(memory); }, config.unit->memory);
+  json["memory"] = memory_json(config.unit->memory);
   json["stress"] = stress_json(config.unit->stress);
   json["frames"] = frames_json(config.unit->frames);
   return json;

@@ -13,7 +13,7 @@ double count(const UnitTiming& timing, UnitCounter n) {
   return static_cast<double>(timing.counters[n]);
 }
 
-constexpr std::size_t kTextureFirst = static_cast<std::size_t>(UnitCounter::texture_first);
+constexpr std::size_t kTextureFirst = static_cast<std::size_t>(reference::kFirstTextureCounter);
 
 std::size_t hits_number(std::size_t draw, std::size_t texture) {
   return kTextureFirst + 4 * draw + 2 * texture;

@@ -64,11 +64,12 @@ TEST(RtlFileLists, NameEveryModuleOfTheFolderOnce) {
   listed.insert(listed.end(), unit.begin(), unit.end());
   std::sort(listed.begin(), listed.end());
   std::vector<std::string> present;
-  for (const std::string folder : {"rtl", "rtl/contract"}) {
+  for (const std::string folder : {"rtl/", "rtl/contract/"}) {
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(PTM_SOURCE_DIR) + "/" + folder)) {
-      if (entry.path().extension() != ".sv") continue;
-      present.push_back(folder + "/" + entry.path().filename().string());
+      if (entry.path().extension() == ".sv") {
+        present.push_back(folder + entry.path().filename().string());
+      }
     }
   }
   std::sort(present.begin(), present.end());
