@@ -8,6 +8,7 @@
 // levels looks at error 4 only if there is no other. One multiply: tiles across times tiles down.
 // Twin: check_draw() in model/reference/unit/draw.h. Combinational.
 module ptm_draw_check #(
+  parameter int CoefBits    = 8,
   parameter int HalfVector  = 0,
   parameter int ExtraSets   = 0,
   parameter int ExtraPasses = 0,
@@ -106,19 +107,22 @@ module ptm_draw_check #(
     tiles = '0;
     if (present) tiles = (2*SideW-2)'(across) * (2*SideW-2)'(down);
   end
-  logic [2:0]         planes;
+  localparam int AWord = ptm_pkg::coefficients_a_word(CoefBits);
+  logic [ptm_format_pkg::PlanesBits-1:0] planes;
   logic [2*SideW:0]   own_lines;
-  assign planes    = texture_i ? 3'd1 : ptm_format_pkg::planes(format_i);
+  assign planes    = texture_i ? 4'd1 : ptm_format_pkg::planes(AWord, format_i);
   assign own_lines = (planes[0] ? (2*SideW+1)'(tiles) : '0) +
                      (planes[1] ? {2'b0, tiles, 1'b0} : '0) +
-                     (planes[2] ? {1'b0, tiles, 2'b0} : '0);
+                     (planes[2] ? {1'b0, tiles, 2'b0} : '0) +
+                     (planes[3] ? {tiles, 3'b0} : '0);
   if (ExtraSets == 0) begin : gen_own_lines
     assign lines = own_lines;
-  end else begin : gen_set_lines  // two planes a set; more than four sets are an error of their own
+  end else begin : gen_set_lines  // more than four sets are an error of their own
+    logic [2*SideW:0] set;  // of one: two planes, or three
+    assign set   = {2'b0, tiles, 1'b0} + (AWord == 3 ? '0 : (2*SideW+1)'(tiles));
     assign lines = texture_i ? own_lines
-                 : own_lines + (sets[2] ? {tiles, 3'b0}
-                                        : (sets[0] ? {2'b0, tiles, 1'b0} : '0) +
-                                          (sets[1] ? {1'b0, tiles, 2'b0} : '0));
+                 : own_lines + (sets[2] ? set << 2
+                                        : (sets[0] ? set : '0) + (sets[1] ? set << 1 : '0));
   end
   assign beyond_o = present && level_i < levels_i &&
                     (2*SideW+2)'(base_i) + (2*SideW+2)'(lines) > (2*SideW+2)'(memory_lines_i);

@@ -3,8 +3,8 @@
 //   D look-up |Q| taps |P| U7 u |L1| U7 v |L2| U8 |L3| U9, U10 |O| -> evaluator
 //
 // Values are those of docs/spec/unit.md, cycles those of docs/spec/unit-timing.md (Palette, Filter).
-// Everything is beat-parallel: up to L2 a lane for each field that a TMU's word may have (three
-// coefficients or four bytes; TMU 0's also a palette's eighteen), then one for each of the 26
+// Everything is beat-parallel: up to L2 a lane for each field that a TMU's word may have (three or
+// two coefficients, or four bytes; TMU 0's also a palette's eighteen), then one for each of the 26
 // fields of a fragment. Word w of a draw comes by TMU w mod Tmus in beat (group) w / Tmus.
 //
 // An extra pass of docs/spec/effects.md takes its operands from what O holds as well; passes are
@@ -37,6 +37,7 @@ module ptm_filter #(
   input  logic        pal_rgb_we_i,
   input  logic [14:0] pal_rgb_addr_i,
   input  logic [31:0] pal_data_i,
+  input  logic [3:0]  pal_upper_i,  // above it; CoefBits above 10 only
   // D
   input  logic                                valid_i,
   output logic                                ready_o,
@@ -70,7 +71,8 @@ module ptm_filter #(
   localparam int WordW  = 3 * FieldW;      // of a palette's entry
   localparam int Lanes  = 4 * Tmus + 14;
   localparam int Lanes0 = 18;              // of TMU 0
-  localparam int LrgbColor = 2;            // the word of LRGB that holds the colour
+  localparam int AWord  = ptm_pkg::coefficients_a_word(CoefBits);
+  localparam int LrgbColor = 6 / AWord;    // the word of LRGB that holds the colour
   localparam int GroupBits = ptm_unit_pkg::GroupBits;
 
   `include "ptm_filter_words.svh"
@@ -232,6 +234,8 @@ module ptm_filter #(
       .load_p_i(load_p), .data_i(taps_i[At+32*(n%4) +: 32]), .p_o(p_word[n])
     );
   end
+  logic [WordW-1:0] pal_word;  // of an entry, as it is written
+  assign pal_word = WordW'({pal_upper_i, pal_data_i});
   logic q_palette;  // TMU 0's word of the beat in Q is an index
   assign q_palette = (q_step_q.format == ptm_unit_pkg::FormatPaletteLrgb ||
                       q_step_q.format == ptm_unit_pkg::FormatPaletteRgb) && q_step_q.group == '0;
@@ -240,13 +244,13 @@ module ptm_filter #(
     logic [PaletteLrgbPorts*WordW-1:0] lrgb_data;
     ptm_palette_word #(.IndexBits(12), .Width(WordW), .Ports(PaletteRgbPorts)) u_rgb (
       .clk_i(clk_i), .we_i(pal_rgb_we_i && pal_rgb_addr_i[2:0] == 3'(w)),
-      .write_index_i(pal_rgb_addr_i[14:3]), .write_data_i(pal_data_i[WordW-1:0]),
+      .write_index_i(pal_rgb_addr_i[14:3]), .write_data_i(pal_word),
       .read_i(rgb_read), .index_i(rgb_index), .data_o(rgb_data)
     );
     if (w < 2) begin : gen_lrgb
       ptm_palette_word #(.IndexBits(10), .Width(WordW), .Ports(PaletteLrgbPorts)) u_lrgb (
         .clk_i(clk_i), .we_i(pal_lrgb_we_i && pal_lrgb_addr_i[0] == 1'(w)),
-        .write_index_i(pal_lrgb_addr_i[10:1]), .write_data_i(pal_data_i[WordW-1:0]),
+        .write_index_i(pal_lrgb_addr_i[10:1]), .write_data_i(pal_word),
         .read_i(lrgb_read), .index_i(lrgb_index), .data_o(lrgb_data)
       );
     end else begin : gen_rgb_only

@@ -44,7 +44,9 @@ module ptm_filter_fields #(
   output logic [7:0]              map_alpha_o,
   output logic [31:0]             color_o        // R G B A, R lowest
 );
-  localparam int LrgbColor = 2;  // the word of LRGB that holds the colour
+  localparam int AWord     = ptm_pkg::coefficients_a_word(CoefBits);
+  localparam int LrgbColor = 6 / AWord;  // the word of LRGB that holds the colour
+  localparam int RgbWords  = 18 / AWord;
   localparam int GroupBits = ptm_unit_pkg::GroupBits;
 
   `include "ptm_filter_words.svh"
@@ -77,16 +79,16 @@ module ptm_filter_fields #(
   end
   assign l2_color = l2_colors != '0;
 
-  // Fields come in groups: the six words of coefficients, LRGB's colour, its alpha, the colour
-  // texture. Which of them the beat in L2 brings, from where, and whether it is added to the sum.
-  localparam int Groups = 9, Color = 6, Alpha = 7, Texture = 8;
+  // Fields come in groups: the words of coefficients, LRGB's colour, its alpha, the colour texture.
+  // Which of them the beat in L2 brings, from where, and whether it is added to the sum.
+  localparam int Color = RgbWords, Alpha = Color + 1, Texture = Color + 2, Groups = Color + 3;
   // (A bit a group: packed into vectors they cost the simulation twice as much.)
   for (genvar g = 0; g < Groups; g++) begin : gen_group
     logic here, indexed, brings_it, adds_q;
     if (g < Color) begin : gen_coef
-      assign indexed = (l2_lrgb_index && g < 2) || l2_rgb_index;
-      assign here    = indexed ||
-                       ((l2_rgb || (l2_lrgb && g < 2)) && brings(l2_group_i, g, g % Tmus));
+      assign indexed = (l2_lrgb_index && g < LrgbColor) || l2_rgb_index;
+      assign here    = indexed || ((l2_rgb || (l2_lrgb && g < LrgbColor)) &&
+                                   brings(l2_group_i, g, g % Tmus));
     end else if (g < Texture) begin : gen_color
       assign indexed = l2_lrgb_index && g == Color;
       assign here    = indexed || (l2_lrgb && brings(l2_group_i, LrgbColor, LrgbColor % Tmus));
@@ -106,7 +108,7 @@ module ptm_filter_fields #(
 
   // The value of a field that the beat does not bring stands still, at 0.
   for (genvar n = 0; n < ptm_unit_pkg::Fields; n++) begin : gen_field
-    localparam int Group = n < 18 ? n / 3 : n < 21 ? Color : n < 22 ? Alpha : Texture;
+    localparam int Group = n < 18 ? n / AWord : n < 21 ? Color : n < 22 ? Alpha : Texture;
     logic              replace;
     logic [ValueW-1:0] value, replacement;
     if (n < 18) begin : gen_coef
@@ -114,7 +116,7 @@ module ptm_filter_fields #(
       always_comb begin
         value = '0;
         if (gen_group[Group].brings_it) begin
-          value = gen_group[Group].indexed ? l2[n] : l2[lane(Tmu, n % 3)];
+          value = gen_group[Group].indexed ? l2[n] : l2[lane(Tmu, n % AWord)];
         end
       end
       assign replace     = !l3_lit_i || l3_none;
@@ -140,8 +142,8 @@ module ptm_filter_fields #(
         if (gen_group[Group].brings_it) begin
           case (l2_format_i)
             ptm_unit_pkg::FormatNone: value = l2[lane(0, n - 22)];
-            ptm_unit_pkg::FormatLrgb: value = l2[lane(3 % Tmus, n - 22)];
-            ptm_unit_pkg::FormatRgb:  value = l2[lane(6 % Tmus, n - 22)];
+            ptm_unit_pkg::FormatLrgb: value = l2[lane((LrgbColor + 1) % Tmus, n - 22)];
+            ptm_unit_pkg::FormatRgb:  value = l2[lane(RgbWords % Tmus, n - 22)];
             default:                  value = l2[lane(1 % Tmus, n - 22)];
           endcase
         end

@@ -4,10 +4,10 @@
 //   |L2| lanes to fields, U8 |L3| U9, U10 |O| operands of an extra pass
 //                                                             docs/spec/effects.md, Draw and X1
 //
-// Words of set s are 2 s and 2 s + 1 behind the map's planes and the colour texture, and lie, like
-// any word w, on TMU w mod Tmus in group w / Tmus. A set that the draw does not have holds anything.
-// Multiplies: 6 a set. Control is the caller's (ptm_filter). Twin: shade() in
-// model/reference/unit/shade.h.
+// Words of set s are 2 s and 2 s + 1 (with two coefficients a word 3 s to 3 s + 2) behind the map's
+// planes and the colour texture, and lie, like any word w, on TMU w mod Tmus in group w / Tmus. A
+// set that the draw does not have holds anything. Multiplies: 6 a set. Control is the caller's
+// (ptm_filter). Twin: shade() in model/reference/unit/shade.h.
 module ptm_filter_sets #(
   parameter int CoefBits     = 8,
   parameter int RoundNearest = 1,
@@ -18,7 +18,8 @@ module ptm_filter_sets #(
   localparam int StoredW   = ptm_pkg::stored_bits(CoefBits, FilterFrac),
   localparam int Lanes0    = 18,                     // of TMU 0
   localparam int Lanes     = Lanes0 + 4 * (Tmus - 1),
-  localparam int GroupBits = ptm_unit_pkg::GroupBits
+  localparam int GroupBits = ptm_unit_pkg::GroupBits,
+  localparam int AWord     = ptm_pkg::coefficients_a_word(CoefBits)
 ) (
   input  logic                    clk_i,
   // The beat in L2
@@ -43,7 +44,7 @@ module ptm_filter_sets #(
   `include "ptm_filter_words.svh"
 
   logic [ValueW-1:0] field [6*ExtraSets];
-  for (genvar j = 0; j < 2 * ExtraSets; j++) begin : gen_word
+  for (genvar j = 0; j < 6 / AWord * ExtraSets; j++) begin : gen_word
     logic [Tmus-1:0] on;  // the TMU that has the word
     for (genvar t = 0; t < Tmus; t++) begin : gen_tmu
       assign on[t] = brings_set(l2_format_i, l2_color_i, l2_group_i, j, t);
@@ -55,8 +56,8 @@ module ptm_filter_sets #(
     end
 
     // The value of a field that the beat does not bring stands still, at 0.
-    for (genvar i = 0; i < 3; i++) begin : gen_field
-      localparam int N = 3 * j + i;
+    for (genvar i = 0; i < AWord; i++) begin : gen_field
+      localparam int N = AWord * j + i;
       logic [ValueW-1:0] value;
       always_comb begin
         value = '0;

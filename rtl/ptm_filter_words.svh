@@ -1,5 +1,5 @@
 // Where the words of a draw come by, and the lanes that take their fields: docs/spec/unit.md, Steps.
-// For inside a module of the filter: they read its Tmus, Lanes0 and GroupBits.
+// For inside a module of the filter: they read its AWord, Tmus, Lanes0 and GroupBits.
 
 // Lane of field i of TMU t's word
 function automatic int lane(input int t, input int i);

@@ -4,6 +4,7 @@
 // A word that fetches a tap does 3 a field if the draw is bilinear, 1 a field if its texture is in
 // its second footprint. Combinational.
 module ptm_multiply_count #(
+  parameter int CoefBits    = 8,
   parameter int Tmus        = 3,
   parameter int ExtraSets   = 0,  // 0..4
   parameter int ExtraPasses = 0   // 0..4
@@ -26,13 +27,18 @@ module ptm_multiply_count #(
   output logic [2:0] combine_o
 );
   localparam int GroupBits = ptm_unit_pkg::GroupBits;
-  localparam int WordsMax  = ptm_format_pkg::WordsMax;
+  localparam int AWord     = ptm_pkg::coefficients_a_word(CoefBits);
+  localparam int WordsMax  = ptm_format_pkg::words_max(AWord);
   // Fields of the map's words in the beat, and of the colour texture's
   logic [5:0] map_fields, color_fields, fields;
-  logic [2:0] planes;
+  logic [ptm_format_pkg::PlanesBits-1:0] planes;
   logic [5*WordsMax-1:0] word_fields;  // 0 beyond the map's words
-  assign planes      = ptm_format_pkg::planes(format_i);
-  assign word_fields = ptm_format_pkg::word_fields(format_i);
+  assign planes = ptm_format_pkg::planes(AWord, format_i);
+  if (AWord == 3) begin : gen_three
+    assign word_fields = ptm_format_pkg::word_fields_3(format_i);
+  end else begin : gen_two
+    assign word_fields = ptm_format_pkg::word_fields_2(format_i);
+  end
   always_comb begin
     map_fields = '0;
     for (int w = 0; w < WordsMax; w++) begin
@@ -40,7 +46,7 @@ module ptm_multiply_count #(
     end
     color_fields = '0;
     for (int w = 0; w <= WordsMax; w++) begin
-      if (color_i && 3'(w) == planes && group_i == GroupBits'(w / Tmus)) color_fields = 6'd4;
+      if (color_i && 4'(w) == planes && group_i == GroupBits'(w / Tmus)) color_fields = 6'd4;
     end
   end
   if (ExtraSets == 0) begin : gen_own
@@ -51,12 +57,12 @@ module ptm_multiply_count #(
     logic [4:0] first, past;  // of the sets' words
     logic [5:0] set_fields;
     assign first = 5'(planes) + 5'(color_i);
-    assign past  = first + {1'b0, sets_i, 1'b0};
+    assign past  = first + {1'b0, sets_i, 1'b0} + (AWord == 3 ? 5'd0 : 5'(sets_i));
     always_comb begin
       set_fields = '0;
-      for (int w = 1; w < WordsMax + 1 + 2 * ExtraSets; w++) begin
+      for (int w = 1; w < WordsMax + 1 + 6 / AWord * ExtraSets; w++) begin
         if (5'(w) >= first && 5'(w) < past && group_i == GroupBits'(w / Tmus)) begin
-          set_fields = set_fields + 6'd3;
+          set_fields = set_fields + 6'(AWord);
         end
       end
     end

@@ -14,6 +14,15 @@ package ptm_pkg;
     larger = a > b ? a : b;
   endfunction
 
+  // A coefficient's field in a word of 32 bits, and how many of them a word holds.
+  function automatic int field_bits(input int CoefBits);
+    field_bits = larger(8, CoefBits);
+  endfunction
+
+  function automatic int coefficients_a_word(input int CoefBits);
+    coefficients_a_word = CoefBits > 10 ? 2 : 3;
+  endfunction
+
   // Unsigned: a coefficient with its filter fraction.
   function automatic int stored_bits(input int CoefBits, input int FilterFrac);
     stored_bits = CoefBits + FilterFrac;

@@ -79,6 +79,7 @@ module ptm_unit #(
   logic [10:0] pal_lrgb_addr;
   logic [14:0] pal_rgb_addr;
   logic [31:0] pal_data;
+  logic [3:0]  pal_upper;
   logic [ptm_unit_pkg::Draws*ptm_unit_pkg::EffectW-1:0] effects;
   logic        table_we;
   logic [9:0]  table_addr;
@@ -92,7 +93,8 @@ module ptm_unit #(
   logic        mem_failed;
   logic [25:0] mem_base;
   ptm_unit_registers #(
-    .HalfVector(HalfVector), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
+    .CoefBits(CoefBits), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
+    .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_registers (
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
     .reg_wdata_i(reg_wdata_i), .reg_rdata_o(reg_rdata_o), .draws_o(draws), .effects_o(effects),
@@ -104,7 +106,8 @@ module ptm_unit #(
     .draining_i(draining),
     .counter_number_o(counter_number), .counter_i(counter), .capabilities_i(capabilities),
     .pal_lrgb_we_o(pal_lrgb_we), .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we),
-    .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data)
+    .pal_rgb_addr_o(pal_rgb_addr), .pal_data_o(pal_data),
+    .pal_upper_o(pal_upper)
   );
 
   // Fragments
@@ -192,9 +195,9 @@ module ptm_unit #(
     .table_we_i(table_we), .table_addr_i(table_addr), .table_data_i(table_data), .hu_i(o_hu),
     .hv_i(o_hv), .o_leaves_o(o_leaves), .pal_lrgb_we_i(pal_lrgb_we),
     .pal_lrgb_addr_i(pal_lrgb_addr), .pal_rgb_we_i(pal_rgb_we), .pal_rgb_addr_i(pal_rgb_addr),
-    .pal_data_i(pal_data), .d_valid_i(d_valid), .d_ready_o(d_ready), .d_beat_i(d_beat),
-    .d_taps_i(d_taps), .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i), .pix_x_o(pix_x_o),
-    .pix_y_o(pix_y_o), .pix_rgb_o(pix_rgb_o), .pix_alpha_o(pix_alpha_o),
+    .pal_data_i(pal_data), .pal_upper_i(pal_upper), .d_valid_i(d_valid), .d_ready_o(d_ready),
+    .d_beat_i(d_beat), .d_taps_i(d_taps), .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i),
+    .pix_x_o(pix_x_o), .pix_y_o(pix_y_o), .pix_rgb_o(pix_rgb_o), .pix_alpha_o(pix_alpha_o),
     .pix_lum_saturated_o(pix_lum_saturated_o), .pix_color_saturated_o(pix_color_saturated_o),
     .inc_palette_o(inc_palette), .inc_filter_o(inc_filter), .inc_eval_o(inc_eval),
     .inc_combine_o(inc_combine), .inc_effects_o(inc_effects)

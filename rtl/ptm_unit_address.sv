@@ -5,8 +5,10 @@
 // Timing: docs/spec/unit-timing.md, Address; values: docs/spec/unit.md, U1 to U6. All multiplies of
 // a beat's address are here: two in U1, four in U4 and four in U6 (two textures).
 module ptm_unit_address #(
+  parameter int CoefBits  = 8,
   parameter int Tmus      = 3,
   parameter int ExtraSets = 0,  // 0..4
+  localparam int PlanesBits = ptm_format_pkg::PlanesBits,
   localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits
 ) (
   input  logic                      clk_i,
@@ -43,10 +45,11 @@ module ptm_unit_address #(
   logic signed [33:0]  a0_u, a0_v;
   logic [1:0]          a0_wrap_u, a0_wrap_v;
   logic                a0_bilinear, a0_color;
-  logic [2:0]          a0_planes, a0_sets;
+  logic [PlanesBits-1:0] a0_planes;
+  logic [2:0]          a0_sets;
   ptm_unit_front_pkg::level_t a0_map, a0_colors;
   ptm_unit_beats #(
-    .Tmus(Tmus), .ExtraSets(ExtraSets)
+    .CoefBits(CoefBits), .Tmus(Tmus), .ExtraSets(ExtraSets)
   ) u_beats (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .sets_i(sets_i), .valid_i(valid_i),
     .ready_o(ready_o), .fragment_i(fragment_i), .valid_o(a0_valid), .ready_i(a0_ready), .beat_o(a0_beat),
@@ -61,7 +64,7 @@ module ptm_unit_address #(
   logic signed [33:0]  a1_u_q, a1_v_q;
   logic [1:0]          a1_wrap_u_q, a1_wrap_v_q;
   logic                a1_bilinear_q, a1_color_q;
-  logic [2:0]          a1_planes_q;
+  logic [PlanesBits-1:0] a1_planes_q;
   ptm_unit_front_pkg::level_t a1_map_q, a1_colors_q;
   ptm_stream_reg u_a1 (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(a0_valid), .ready_o(a0_ready), .load_o(a1_load),
@@ -107,7 +110,7 @@ module ptm_unit_address #(
   logic                a2_valid, a2_ready;
   ptm_unit_pkg::beat_t a2_beat_q;
   logic                a2_repeat_u_q, a2_repeat_v_q, a2_bilinear_q, a2_color_q;
-  logic [2:0]          a2_planes_q;
+  logic [PlanesBits-1:0] a2_planes_q;
   ptm_unit_front_pkg::level_t a2_map_q, a2_colors_q;
   logic [31:0]         a2_map_u_q, a2_map_v_q, a2_color_u_q, a2_color_v_q;  // products
   ptm_stream_reg u_a2 (
@@ -139,7 +142,7 @@ module ptm_unit_address #(
   ptm_unit_front_pkg::row_lines_t    map_row_lines, color_row_lines;
   ptm_unit_front_pkg::column_lines_t map_column_lines, color_column_lines;
   ptm_unit_tiles #(
-    .ExtraSets(ExtraSets)
+    .CoefBits(CoefBits), .ExtraSets(ExtraSets)
   ) u_tiles_map (
     .enable_i(1'b1), .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q),
     .repeat_v_i(a2_repeat_v_q),
@@ -151,8 +154,8 @@ module ptm_unit_address #(
     .enable_i(a2_color_q), .bilinear_i(a2_bilinear_q), .repeat_u_i(a2_repeat_u_q),
     .repeat_v_i(a2_repeat_v_q),
     .product_u_i(a2_color_u_q), .product_v_i(a2_color_v_q), .level_i(a2_colors_q),
-    .planes_i(3'd1), .sets_i(3'd0), .wu_o(color_wu), .wv_o(color_wv), .texels_o(color_texels),
-    .row_lines_o(color_row_lines), .column_lines_o(color_column_lines)
+    .planes_i(PlanesBits'(1)), .sets_i(3'd0), .wu_o(color_wu), .wv_o(color_wv),
+    .texels_o(color_texels), .row_lines_o(color_row_lines), .column_lines_o(color_column_lines)
   );
   ptm_unit_pkg::beat_t weighted;
   always_comb begin
@@ -166,7 +169,7 @@ module ptm_unit_address #(
   logic                        a3_ready;
   ptm_unit_pkg::beat_t         a3_beat_q;
   logic                        a3_color_q;
-  logic [2:0]                  a3_planes_q;
+  logic [PlanesBits-1:0]       a3_planes_q;
   ptm_unit_front_pkg::texels_t       a3_map_texels_q, a3_color_texels_q;
   ptm_unit_front_pkg::row_lines_t    a3_map_row_lines_q, a3_color_row_lines_q;
   ptm_unit_front_pkg::column_lines_t a3_map_column_lines_q, a3_color_column_lines_q;
@@ -197,7 +200,7 @@ module ptm_unit_address #(
   assign color_column_lines_o = a3_color_column_lines_q;
 
   ptm_unit_split #(
-    .Tmus(Tmus), .ExtraSets(ExtraSets)
+    .CoefBits(CoefBits), .Tmus(Tmus), .ExtraSets(ExtraSets)
   ) u_split (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_o), .ready_o(a3_ready), .beat_i(a3_beat_q),
     .planes_i(a3_planes_q), .sets_i(a3_sets), .color_i(a3_color_q), .map_i(a3_map_texels_q),

@@ -28,6 +28,7 @@ module ptm_unit_back #(
   input  logic        pal_rgb_we_i,
   input  logic [14:0] pal_rgb_addr_i,
   input  logic [31:0] pal_data_i,
+  input  logic [3:0]  pal_upper_i,  // above it; CoefBits above 10 only
   // What stands in D; it leaves in a cycle in which d_valid_i and d_ready_o are high
   input  logic                                d_valid_i,
   output logic                                d_ready_o,
@@ -84,9 +85,9 @@ module ptm_unit_back #(
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .effects_i(effects_i),
     .pal_lrgb_we_i(pal_lrgb_we_i),
     .pal_lrgb_addr_i(pal_lrgb_addr_i), .pal_rgb_we_i(pal_rgb_we_i),
-    .pal_rgb_addr_i(pal_rgb_addr_i), .pal_data_i(pal_data_i), .valid_i(d_valid_i),
-    .ready_o(d_ready_o), .beat_i(d_beat_i), .taps_i(d_taps_i), .load_q_o(load_q),
-    .palette_taps_o(d_palette_taps), .valid_o(o_valid), .ready_i(o_ready),
+    .pal_rgb_addr_i(pal_rgb_addr_i), .pal_data_i(pal_data_i), .pal_upper_i(pal_upper_i),
+    .valid_i(d_valid_i), .ready_o(d_ready_o), .beat_i(d_beat_i), .taps_i(d_taps_i),
+    .load_q_o(load_q), .palette_taps_o(d_palette_taps), .valid_o(o_valid), .ready_i(o_ready),
     .last_pass_o(o_last_pass), .extra_o(o_extra), .number_o(o_number), .passes_o(o_passes),
     .hu_i(hu_i), .hv_i(hv_i), .coef_o(o_coef), .bias_o(o_bias), .shift_o(o_shift),
     .rgb_o(o_rgb), .lu_o(o_lu), .lv_o(o_lv), .rgb_map_o(o_rgb_map), .channel_o(o_channel),
@@ -261,7 +262,7 @@ module ptm_unit_back #(
   );
   /* verilator lint_on PINCONNECTEMPTY */
   ptm_multiply_count #(
-    .Tmus(Tmus), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses)
+    .CoefBits(CoefBits), .Tmus(Tmus), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses)
   ) u_multiply_count (
     .format_i(d_format), .bilinear_i(d_bilinear), .color_i(d_color), .group_i(d_beat_i.group),
     .sets_i(d_sets), .o_passes_i(o_passes),

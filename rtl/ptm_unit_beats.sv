@@ -5,8 +5,10 @@
 // address half. Timing: docs/spec/unit-timing.md, Address.
 `include "ptm_assert.svh"
 module ptm_unit_beats #(
+  parameter int CoefBits  = 8,
   parameter int Tmus      = 3,
   parameter int ExtraSets = 0,  // 0..4
+  localparam int AWord = ptm_pkg::coefficients_a_word(CoefBits),
   localparam int DrawW = ptm_unit_pkg::DrawW
 ) (
   input  logic                      clk_i,
@@ -25,8 +27,8 @@ module ptm_unit_beats #(
   output logic [1:0]                wrap_u_o,
   output logic [1:0]                wrap_v_o,
   output logic                      bilinear_o,
-  output logic [2:0]                planes_o,    // of the map's own words
-  output logic [2:0]                sets_o,      // coefficient sets beyond it, two planes each
+  output logic [ptm_format_pkg::PlanesBits-1:0] planes_o,  // of the map's own words
+  output logic [2:0]                sets_o,      // coefficient sets beyond it
   output logic                      color_o,     // the draw has a colour texture
   output ptm_unit_front_pkg::level_t map_o,      // of the footprint
   output ptm_unit_front_pkg::level_t colors_o
@@ -51,20 +53,23 @@ module ptm_unit_beats #(
   end
 
   // Words: the map's planes, the colour texture, the sets' planes
-  assign planes_o = ptm_format_pkg::planes(draw.format);
-  localparam int WordsMax = ptm_format_pkg::WordsMax + 1 + 2 * ExtraSets;
-  localparam int GroupW   = ExtraSets == 0 ? 3 : ptm_unit_pkg::GroupBits;
+  assign planes_o = ptm_format_pkg::planes(AWord, draw.format);
+  localparam int WordsMax = ptm_format_pkg::words_max(AWord) + 1 + 6 / AWord * ExtraSets;
+  localparam int GroupW   = $clog2(WordsMax + 1);
   logic [GroupW-1:0] words, groups_less_1;
   if (ExtraSets == 0) begin : gen_own
     assign sets_o = 3'd0;
-    assign words  = planes_o + 3'(draw.color);
+    assign words  = GroupW'(planes_o) + GroupW'(draw.color);
     logic unused_sets;
     assign unused_sets = ^sets_i;
   end else begin : gen_sets
     ptm_by_draw #(.Width(3)) u_sets (
       .values_i(sets_i), .draw_i(fragment_q.draw), .value_o(sets_o)
     );
-    assign words  = GroupW'(planes_o) + GroupW'(draw.color) + {sets_o, 1'b0};
+    logic [GroupW-1:0] sets;
+    assign sets   = GroupW'(sets_o);
+    assign words  = GroupW'(planes_o) + GroupW'(draw.color) + (sets << 1) +
+                    (AWord == 3 ? '0 : sets);
   end
   always_comb begin  // (words - 1) / Tmus
     groups_less_1 = '0;

@@ -73,7 +73,7 @@ module ptm_unit_front #(
   logic [1:0]          inc_words;
   logic [3:0]          inc_taps, inc_address;
   ptm_unit_address #(
-    .Tmus(Tmus), .ExtraSets(ExtraSets)
+    .CoefBits(CoefBits), .Tmus(Tmus), .ExtraSets(ExtraSets)
   ) u_address (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws_i), .sets_i(sets_i), .valid_i(valid_i),
     .ready_o(ready_o), .fragment_i(fragment_i), .valid_o(a_valid), .ready_i(a_ready),

@@ -12,7 +12,7 @@ package ptm_unit_front_pkg;
   localparam int PlaceBits = 8;   // {set, way} of a tag bank's line
   localparam int TakenW    = 16;
   localparam int ReadsW    = 6 + 4 * PlaceBits;
-  localparam int PlaneBits = 4;   // of a word's plane within its texture
+  localparam int PlaneBits = 5;   // of a word's plane within its texture: 21 planes
 
   // The level that a texture's footprint lies in (A1, A2)
   typedef struct packed {
@@ -38,7 +38,7 @@ package ptm_unit_front_pkg;
     logic [1:0][25:0] row;
   } row_lines_t;
   typedef struct packed {
-    logic [1:0][13:0] column;
+    logic [1:0][14:0] column;
   } column_lines_t;
 
   // Which of one texture's taps a (sub-)beat fetches, and where they lie; the same for all of its

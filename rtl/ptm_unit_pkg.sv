@@ -10,7 +10,7 @@ package ptm_unit_pkg;
   localparam int LightMax  = 17;  // light_int + light_frac
   localparam int IndexBits = 12;  // of a texel in its row
   localparam int Fields    = 26;  // of a filtered fragment
-  localparam int GroupBits = 4;   // of a beat's number in its footprint: 15 words, one TMU
+  localparam int GroupBits = 5;   // of a beat's number in its footprint: 22 words, one TMU
   // Effects: the most that a unit may be built with (docs/spec/effects.md)
   localparam int PassesMax = ExtraPassesMax;
   localparam int AddendW   = 13;  // Q9.4

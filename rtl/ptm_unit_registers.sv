@@ -8,6 +8,7 @@
 // level a cycle, the map's 13 and then the colour texture's, in 26 cycles; draws whose control is
 // written meanwhile wait, the lowest first.
 module ptm_unit_registers #(
+  parameter int CoefBits    = 8,
   parameter int HalfVector  = 0,  // effects, as ptm_unit
   parameter int ExtraSets   = 0,
   parameter int ExtraPasses = 0,
@@ -46,7 +47,8 @@ module ptm_unit_registers #(
   output logic [10:0] pal_lrgb_addr_o,
   output logic        pal_rgb_we_o,
   output logic [14:0] pal_rgb_addr_o,
-  output logic [31:0] pal_data_o
+  output logic [31:0] pal_data_o,
+  output logic [3:0]  pal_upper_o    // of the word, above pal_data_o: CoefBits above 10 only
 );
   localparam int DrawW     = ptm_register_pkg::DrawW;
   localparam int Draws     = ptm_register_pkg::Draws;
@@ -92,6 +94,20 @@ module ptm_unit_registers #(
   assign pal_lrgb_addr_o = reg_addr_i[10:0];
   assign pal_rgb_addr_o  = reg_addr_i[14:0];
   assign pal_data_o      = reg_wdata_i;
+
+  // Three coefficients of more than 10 bits do not fit the 32 of a write.
+  if (CoefBits <= 10) begin : gen_no_upper
+    assign pal_upper_o = '0;
+  end else begin : gen_upper
+    logic [3:0] pal_upper_q;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) pal_upper_q <= '0;
+      else if (we_shared && reg_addr_i == ptm_register_pkg::PaletteUpperAddr) begin
+        pal_upper_q <= reg_wdata_i[ptm_register_pkg::PaletteUpperBitsW-1:0];
+      end
+    end
+    assign pal_upper_o = pal_upper_q;
+  end
 
   localparam int LinesW = ptm_register_pkg::MemoryLinesLinesW;
   logic [LinesW-1:0] memory_lines_q;
@@ -203,7 +219,8 @@ module ptm_unit_registers #(
 
   logic bad_size, bad_levels, bad_control, beyond;
   ptm_draw_check #(
-    .HalfVector(HalfVector), .ExtraSets(ExtraSets), .ExtraPasses(ExtraPasses), .Stages(Stages)
+    .CoefBits(CoefBits), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
+    .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_check (
     .effect_i(effect),
     .format_i(format), .mip_i(mip), .wrap_u_i(wrap_u), .wrap_v_i(wrap_v), .combine_i(combine),
@@ -341,6 +358,7 @@ module ptm_unit_registers #(
               mem_error_q ? mem_error_tag_q : 8'd0;
         end
         ptm_register_pkg::MemoryBaseOffset: reg_rdata_o = 32'(mem_base_q);
+        ptm_register_pkg::PaletteUpperOffset: reg_rdata_o = 32'(pal_upper_o);
         ptm_register_pkg::EventsOffset: reg_rdata_o = 32'(events);
         ptm_register_pkg::EnableOffset: reg_rdata_o = 32'(enable);
         ptm_register_pkg::MagicOffset: reg_rdata_o = ptm_register_pkg::MagicReset;

@@ -7,8 +7,10 @@
 // TMU t has word group * Tmus + t of the draw: the map's planes, the colour texture, the sets'
 // planes, which are the map's behind its own.
 module ptm_unit_split #(
+  parameter int CoefBits  = 8,
   parameter int Tmus      = 3,
   parameter int ExtraSets = 0,  // 0..4
+  localparam int AWord = ptm_pkg::coefficients_a_word(CoefBits),
   localparam int PlaneBits = ptm_unit_front_pkg::PlaneBits
 ) (
   input  logic                        clk_i,
@@ -17,8 +19,8 @@ module ptm_unit_split #(
   input  logic                        valid_i,
   output logic                        ready_o,  // with the last sub-beat
   input  ptm_unit_pkg::beat_t         beat_i,
-  input  logic [2:0]                  planes_i,   // the map's own
-  input  logic [2:0]                  sets_i,     // two planes more each
+  input  logic [ptm_format_pkg::PlanesBits-1:0] planes_i,  // the map's own
+  input  logic [2:0]                  sets_i,     // two planes more each, or three
   input  logic                        color_i,
   input  ptm_unit_front_pkg::texels_t map_i,
   input  ptm_unit_front_pkg::texels_t color_texels_i,
@@ -49,7 +51,7 @@ module ptm_unit_split #(
     assign unused_sets = ^{sets_i, set_words, past_words};
   end else begin : gen_sets
     assign set_words  = 5'(planes_i) + 5'(color_i);
-    assign past_words = set_words + {1'b0, sets_i, 1'b0};
+    assign past_words = set_words + {1'b0, sets_i, 1'b0} + (AWord == 3 ? 5'd0 : 5'(sets_i));
     assign has_map    = first_word < 5'(planes_i) || (sets_i != '0 && set_words < past_word);
   end
   assign has_color = color_i && first_word <= 5'(planes_i) && 5'(planes_i) < past_word;
@@ -86,7 +88,7 @@ module ptm_unit_split #(
     if (ExtraSets == 0) begin : gen_word
       assign color_o[t]   = word >= 5'(planes_i);
       assign fetched_o[t] = color_o[t] ? reads_color && word == 5'(planes_i) : reads_map;
-      assign plane_o[t*PlaneBits +: PlaneBits] = color_o[t] ? '0 : PlaneBits'(word[2:0]);
+      assign plane_o[t*PlaneBits +: PlaneBits] = color_o[t] ? '0 : word;
     end else begin : gen_set_word
       logic       of_set;
       logic [4:0] plane;
@@ -94,9 +96,7 @@ module ptm_unit_split #(
       assign color_o[t]   = word >= 5'(planes_i) && !of_set;
       assign fetched_o[t] = color_o[t] ? reads_color && word == 5'(planes_i) : reads_map;
       assign plane        = of_set && color_i ? word - 5'd1 : word;
-      assign plane_o[t*PlaneBits +: PlaneBits] = color_o[t] ? '0 : plane[PlaneBits-1:0];
-      logic unused_plane;
-      assign unused_plane = plane[4];
+      assign plane_o[t*PlaneBits +: PlaneBits] = color_o[t] ? '0 : plane;
     end
   end
 

@@ -5,10 +5,14 @@
 //                = row line + column line; the word's plane is added where it is known
 //   collides     = i0 != i1 and (i0, i1 have the same parity, or their tiles differ and have it)
 //                                                                  docs/spec/unit-timing.md, A3
-// Two multiplies, one a row of tiles; times 1, 3 or 6 planes, and two a set, is additions.
+// Two multiplies, one a row of tiles; times 1, 3 or 6 planes, and two a set, is additions; with two
+// coefficients a word times 1, 4 or 9, and three a set.
 // Twin: ptm::reference::place_of() in model/reference/unit/beats.h. Combinational.
 module ptm_unit_tiles #(
+  parameter int CoefBits  = 8,
   parameter int ExtraSets = 0,  // 0..4
+  localparam int AWord = ptm_pkg::coefficients_a_word(CoefBits),
+  localparam int PlanesBits = ptm_format_pkg::PlanesBits,
   localparam int LineBits = ptm_unit_pkg::LineBits
 ) (
   input  logic                        enable_i,     // the draw has this texture
@@ -18,8 +22,8 @@ module ptm_unit_tiles #(
   input  logic [31:0]                 product_u_i,  // fu * W_l
   input  logic [31:0]                 product_v_i,
   input  ptm_unit_front_pkg::level_t  level_i,
-  input  logic [2:0]                  planes_i,     // 1, 3, 6
-  input  logic [2:0]                  sets_i,       // 0..4, two planes more each
+  input  logic [PlanesBits-1:0]       planes_i,     // 1, 3, 6; or 1, 4, 9
+  input  logic [2:0]                  sets_i,       // 0..4, two planes more each; or three
   output logic [7:0]                  wu_o,
   output logic [7:0]                  wv_o,
   output ptm_unit_front_pkg::texels_t       texels_o,
@@ -45,17 +49,22 @@ module ptm_unit_tiles #(
   // Tiles before the row of tiles: below 2^20
   logic [20:0] before0, before1;
   function automatic logic [LineBits-1:0] times_planes(input logic [20:0] tiles,
-                                                       input logic [2:0] planes);
+                                                       input logic [PlanesBits-1:0] planes);
     logic [LineBits-1:0] one, three;
     one          = LineBits'(tiles);
     three        = one + (one << 1);
-    times_planes = planes == 3'd1 ? one : planes == 3'd3 ? three : three << 1;
+    if (AWord == 3) begin
+      times_planes = planes == 4'd1 ? one : planes == 4'd3 ? three : three << 1;
+    end else begin
+      times_planes = planes == 4'd1 ? one : planes == 4'd4 ? one << 2 : one + (one << 3);
+    end
   endfunction
   function automatic logic [LineBits-1:0] times_sets(input logic [20:0] tiles,
                                                      input logic [2:0] sets);
-    logic [LineBits-1:0] two;
-    two        = LineBits'(tiles) << 1;
-    times_sets = sets[2] ? two << 2 : (sets[0] ? two : '0) + (sets[1] ? two << 1 : '0);
+    logic [LineBits-1:0] set;  // of one
+    set        = AWord == 3 ? LineBits'(tiles) << 1
+                            : LineBits'(tiles) + (LineBits'(tiles) << 1);
+    times_sets = sets[2] ? set << 2 : (sets[0] ? set : '0) + (sets[1] ? set << 1 : '0);
   endfunction
   logic [LineBits-1:0] row0, row1, column0, column1;
   always_comb begin
@@ -88,10 +97,11 @@ module ptm_unit_tiles #(
   logic [LineBits-1:0] column0_all, column1_all;
   if (ExtraSets == 0) begin : gen_own
     assign row_lines_o = {row1, row0};
-    assign column0_all = {{(LineBits-13){1'b0}}, column0[12:0]};
-    assign column1_all = {{(LineBits-13){1'b0}}, column1[12:0]};
+    localparam int W = AWord == 3 ? 13 : 14;  // 1,023 tiles of six planes, or of nine
+    assign column0_all = {{(LineBits-W){1'b0}}, column0[W-1:0]};
+    assign column1_all = {{(LineBits-W){1'b0}}, column1[W-1:0]};
     logic unused_sets;
-    assign unused_sets = ^{sets_i, column0[25:13], column1[25:13]};
+    assign unused_sets = ^{sets_i, column0[25:W], column1[25:W]};
   end else begin : gen_sets
     logic [2:0] sets;
     assign sets        = enable_i ? sets_i : '0;
@@ -99,8 +109,8 @@ module ptm_unit_tiles #(
     assign column0_all = column0 + times_sets(21'(i0[11:2]), sets);
     assign column1_all = column1 + times_sets(21'(i1[11:2]), sets);
   end
-  assign column_lines_o = {column1_all[13:0], column0_all[13:0]};
+  assign column_lines_o = {column1_all[14:0], column0_all[14:0]};
 
   logic unused_bits;
-  assign unused_bits = ^{rounded_up[1:0], column0_all[25:14], column1_all[25:14]};
+  assign unused_bits = ^{rounded_up[1:0], column0_all[25:15], column1_all[25:15]};
 endmodule

@@ -278,6 +278,13 @@
 #define PTM_UNIT_MEMORY_BASE_BASE_MASK               0x3ffffffu
 #define PTM_UNIT_MEMORY_BASE_BASE_WIDTH              26
 
+/* what a palette's word has beyond 32 bits, for the writes of palettes that follow; rw, while
+ * the unit is idle only */
+#define PTM_UNIT_PALETTE_UPPER                       0x1005u
+#define PTM_UNIT_PALETTE_UPPER_BITS_SHIFT            0
+#define PTM_UNIT_PALETTE_UPPER_BITS_MASK             0xfu
+#define PTM_UNIT_PALETTE_UPPER_BITS_WIDTH            4
+
 /* events; w1c */
 #define PTM_UNIT_EVENTS                              0x1008u
 #define PTM_UNIT_EVENTS_IDLE_SHIFT                   0
@@ -314,6 +321,7 @@
 #define PTM_UNIT_VERSION_MINOR_SHIFT                 0
 #define PTM_UNIT_VERSION_MINOR_MASK                  0xffffu
 #define PTM_UNIT_VERSION_MINOR_WIDTH                 16
+#define PTM_UNIT_VERSION_MINOR_RESET                 0x1u
 #define PTM_UNIT_VERSION_MAJOR_SHIFT                 16
 #define PTM_UNIT_VERSION_MAJOR_MASK                  0xffff0000u
 #define PTM_UNIT_VERSION_MAJOR_WIDTH                 16
@@ -506,7 +514,8 @@
 
 /* Addresses 0x8000 to 0xffff: palettised RGB */
 
-/* palettised RGB, entry e: words as RGB's planes; wo, while the unit is idle only */
+/* palettised RGB, entry e: red (a0 a1 a2), (a3 a4 a5), green, blue; wo, while the unit is idle
+ * only */
 #define PTM_UNIT_RGB_PALETTE_WORD(e, w)              (0x8000u + 8u * (e) + 1u * (w))
 #define PTM_UNIT_RGB_PALETTE_WORD_COEFFICIENTS_SHIFT 0
 #define PTM_UNIT_RGB_PALETTE_WORD_COEFFICIENTS_MASK  0xffffffffu

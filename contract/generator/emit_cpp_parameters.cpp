@@ -98,21 +98,6 @@ void write_presets(const Parameters& all, const Config& config, Text& text) {
   text.list("    ", rows, "}};");
 }
 
-/// What the whole unit allows of the evaluator's parameters.
-void write_limits(const Parameters& all, Text& text) {
-  text.line();
-  text.line("/// In the whole unit a parameter of the evaluator is at most so much.");
-  text.line("struct UnitLimit {").line("  std::string_view name;").line("  std::int64_t most;");
-  text.line("  std::string_view why;").line("};");
-  text.line("inline constexpr std::array<UnitLimit, " + std::to_string(all.limits.size()) +
-            "> kUnitLimits{{");
-  for (const Limit& limit : all.limits) {
-    text.line("    {\"" + limit.parameter + "\", " + std::to_string(limit.most) + ", \"" +
-              limit.why + "\"},");
-  }
-  text.line("}};");
-}
-
 void declare_table(const Config& config, Text& text) {
   const std::string type = config.space + "::" + config.type;
   text.line();
@@ -249,7 +234,6 @@ std::string header_text(const Parameters& all, const std::vector<const Config*>&
   for (const Config* config : configs) {
     write_struct(*config, text);
     if (config->name == "evaluator") write_presets(all, *config, text);
-    if (config->name == "unit") write_limits(all, text);
   }
   text.line().line("}  // namespace " + configs.front()->space);
   for (const Config* config : configs) declare_table(*config, text);

@@ -149,14 +149,10 @@ void header(const PortTables& tables, Outputs& outputs) {
   outputs.push_back({Output::Kind::build, "registers.h", out.str(), {}});
 }
 
-std::string condition(const PortTables& tables, const Need& need, const Register& r, unsigned copy,
+std::string condition(const PortTables& tables, const Register& r, unsigned copy,
                       const Field& field, unsigned element) {
-  unsigned more = 0;
-  if (!need.index.empty()) {
-    more =
-        field.repeat && field.repeat->index == need.index ? element : r.index_of(copy, need.index);
-  }
-  return tables.parameter(need.parameter).cpp + " > " + std::to_string(more);
+  return tables.parameter(field.need->parameter).cpp + " > " +
+         std::to_string(r.more_than(field, copy, element));
 }
 
 /// "0xffffU | (unit.stages > 0 ? 0xff00U : 0U)"
@@ -171,7 +167,7 @@ std::string stored(const PortTables& tables, const Register& r, unsigned copy) {
         always |= at.mask();
         continue;
       }
-      const std::string when = condition(tables, *field.need, r, copy, field, element);
+      const std::string when = condition(tables, r, copy, field, element);
       const auto same = [&when](const auto& part) { return part.first == when; };
       auto part = std::find_if(parts.begin(), parts.end(), same);
       if (part == parts.end()) part = parts.insert(parts.end(), {when, 0});
@@ -189,7 +185,8 @@ std::string stored(const PortTables& tables, const Register& r, unsigned copy) {
 void stored_bits(const PortTables& tables, Outputs& outputs) {
   Text out;
   out.line(headline());
-  out.comment("// ", "The body of stored_bits(address, unit): what reads as it was written.");
+  out.comment("// ",
+              "The body of stored_bits(address, unit, config): what reads as it was written.");
   for (const Block& block : tables.map.blocks) {
     Text cases;
     for (const Register& r : block.registers) {

@@ -55,8 +55,12 @@ std::string holds(const PortTables& tables, const Register& r) {
     if (field.is_signed) one += ", two's complement";
     std::string more = field.meaning;
     if (field.need) {
-      const std::string need = "needs `" + tables.parameter(field.need->parameter).rtl + "`" +
-                               (field.need->index.empty() ? "" : " above " + field.need->index);
+      std::string need = "needs `" + tables.parameter(field.need->parameter).rtl + "`";
+      if (!field.need->index.empty()) {
+        need += " above " + field.need->index;
+      } else if (field.need->number != 0) {
+        need += " above " + std::to_string(field.need->number);
+      }
       more += more.empty() ? need : "; " + need;
     }
     if (field.shared) more += more.empty() ? "shared" : "; shared, the bit alone is refused";

@@ -198,11 +198,6 @@ std::string unit_module(const Parameters& all) {
   text.line("`include \"contract/ptm_evaluator_map.svh\"");
   text.line("  ) u_evaluator ();");
   text.line();
-  for (const Limit& limit : all.limits) {
-    const std::string rtl = all.config("evaluator").find(limit.parameter)->rtl;
-    const std::string most = std::to_string(limit.most);
-    write_requirement({rtl + "_above_" + most + "_in_a_unit", rtl + " <= " + most}, text);
-  }
   for (const Parameter* p : config.checked()) {
     for (const Requirement& r : requirements_of(config, *p)) write_requirement(r, text);
   }
@@ -214,7 +209,10 @@ std::string unit_module(const Parameters& all) {
 
 void emit_sv_parameters(const Parameters& parameters, Outputs& outputs) {
   List evaluator, back, front;
-  for (const Parameter& p : parameters.config("evaluator").parameters) evaluator.push_back(&p);
+  for (const Parameter& p : parameters.config("evaluator").parameters) {
+    evaluator.push_back(&p);
+    if (p.in("front")) front.push_back(&p);
+  }
   const List unit = parameters.of_rtl();
   back = evaluator;
   for (const Parameter& p : parameters.config("unit").parameters) {

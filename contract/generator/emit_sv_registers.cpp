@@ -174,9 +174,8 @@ std::vector<Piece> pieces(const PortTables& tables, const Register& r, unsigned 
       piece.low = field.low + (field.repeat ? n * field.repeat->stride : 0);
       piece.width = field.width;
       if (field.need) {
-        const bool own = field.repeat && field.repeat->index == field.need->index;
-        const unsigned index = own ? n : r.index_of(copy, field.need->index);
-        piece.need = tables.parameter(field.need->parameter).rtl + " > " + std::to_string(index);
+        piece.need = tables.parameter(field.need->parameter).rtl + " > " +
+                     std::to_string(r.more_than(field, copy, n));
       }
       all.push_back(piece);
     }
@@ -221,6 +220,14 @@ void fragment(const PortTables& tables, const Block& block, const Layout& layout
   outputs.push_back({Output::Kind::committed, "rtl/contract/" + name, out.str() + items.str(), {}});
 }
 
+/// A register that a parameter is needed for does not count in a unit without.
+std::string here_if_built(const PortTables& tables, const Register& r, const std::string& here) {
+  const Field& first = r.fields.front();
+  if (!first.need) return here;
+  return "(" + tables.parameter(first.need->parameter).rtl + " > " +
+         std::to_string(r.more_than(first, 0, 0)) + " && " + here + ")";
+}
+
 /// A function that says whether a write is of what fragments read.
 void shared_fragment(const PortTables& tables, Outputs& outputs) {
   std::vector<std::string> terms;
@@ -233,7 +240,7 @@ void shared_fragment(const PortTables& tables, Outputs& outputs) {
     }
     for (const Register& r : block.registers) {
       const std::string here = "address == " + std::string(kPackage) + camel(r.full_name) + "Addr";
-      if (r.shared) terms.push_back(here);
+      if (r.shared) terms.push_back(here_if_built(tables, r, here));
       for (const Field& field : r.fields) {
         if (!field.shared) continue;
         terms.push_back("(" + here + " && data" + bit_range(field.low, field.width) + " != '0)");

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kCodes = 8;    ///< the register has three bits
 constexpr unsigned kMapFields = 22;  ///< of a filtered fragment: coefficients, colour and alpha
-constexpr std::size_t kWords = 6;    ///< a map's planes: three bits of the RTL count them
+constexpr std::size_t kWords = 6;    ///< a map's planes, nine at most of two coefficients each:
+                                     ///< four bits of the RTL count them
 
 WordKind read_kind(const Row& row) {
   row.only({"name", "fields", "palette", "meaning"});
@@ -18,6 +19,9 @@ WordKind read_kind(const Row& row) {
   const std::int64_t fields = row.integer("fields");
   if (fields < 1 || fields > 18) {
     row.fail("fields", "found " + std::to_string(fields) + ", expected 1 to 18");
+  }
+  if (kind.name == kCoefficients && fields != kMostAWord) {
+    row.fail("fields", "found " + std::to_string(fields) + ", expected 3 coefficients");
   }
   if (!kind.palette.empty() && kind.palette != "lrgb" && kind.palette != "rgb") {
     row.fail("palette", "found '" + kind.palette + "', expected lrgb or rgb");
@@ -43,14 +47,15 @@ Word read_word(const Row& row, const Formats& formats) {
   if (kind->palette.empty() && word.field + kind->fields > kMapFields) {
     row.fail("field", "the word's fields end beyond " + std::to_string(kMapFields - 1));
   }
+  word.fields = kind->fields;
   return word;
 }
 
 Format read_format(const Row& row, const Formats& formats) {
-  row.only({"name", "title", "meaning", "layout", "words", "polynomials", "passes", "multiplies",
-            "alpha"});
-  Format format{row.text("name"), row.text("title"), row.text("meaning"),
-                row.text_or("layout", "")};
+  row.only({"name", "title", "meaning", "layout", "layout_of_two", "words", "polynomials", "passes",
+            "multiplies", "alpha"});
+  Format format{row.text("name"), row.text("title"), row.text("meaning"), row.text_or("layout", ""),
+                row.text_or("layout_of_two", "")};
   for (const Format& other : formats.formats) {
     if (other.name == format.name) row.fail("name", "found '" + format.name + "' a second time");
   }
@@ -88,9 +93,30 @@ Codes Formats::codes() const {
   return codes;
 }
 
-std::size_t Formats::words_max() const {
+std::vector<Word> Format::words_of(unsigned coefficients_a_word) const {
+  std::vector<Word> out;
+  for (std::size_t w = 0; w < words.size();) {
+    if (words[w].kind != kCoefficients) {
+      out.push_back(words[w++]);
+      continue;
+    }
+    unsigned field = words[w].field, past = field;
+    while (w < words.size() && words[w].kind == kCoefficients && words[w].field == past) {
+      past += words[w++].fields;
+    }
+    for (; field < past; field += coefficients_a_word) {
+      out.push_back(
+          {std::string(kCoefficients), field, std::min(coefficients_a_word, past - field)});
+    }
+  }
+  return out;
+}
+
+std::size_t Formats::words_max(unsigned coefficients_a_word) const {
   std::size_t most = 1;
-  for (const Format& format : formats) most = std::max(most, format.words.size());
+  for (const Format& format : formats) {
+    most = std::max(most, format.words_of(coefficients_a_word).size());
+  }
   return most;
 }
 

@@ -144,13 +144,6 @@ void read_rows(const TableFile& file, Parameters& parameters) {
     const Config& config = parameters.config(row.text("of"));
     check_names(row, config, *config.find(row.text("name")));
   }
-  for (const Row& row : file.rows("limit")) {
-    row.only({"parameter", "most", "why"});
-    parameters.limits.push_back({row.text("parameter"), row.text("why"), row.integer("most")});
-    if (!parameters.config("evaluator").find(row.text("parameter"))) {
-      row.fail("parameter", "found no parameter of the evaluator");
-    }
-  }
 }
 
 Variant read_variant(const Row& row, const Parameters& parameters) {
@@ -259,7 +252,7 @@ std::vector<const Parameter*> Parameters::of_rtl() const {
 Parameters read_parameters(const std::filesystem::path& folder) {
   Parameters parameters;
   const TableFile file(folder / "parameters.toml");
-  file.only({"config", "preset", "parameter", "limit"});
+  file.only({"config", "preset", "parameter"});
   read_rows(file, parameters);
   const TableFile variants(folder / "variants.toml");
   variants.only({"variant"});

@@ -44,12 +44,6 @@ struct Config {
   [[nodiscard]] std::vector<const Parameter*> checked() const;
 };
 
-/// In the whole unit a parameter of the evaluator is at most so much.
-struct Limit {
-  std::string parameter, why;
-  std::int64_t most = 0;
-};
-
 /// RTL that is verilated with the build.
 struct Variant {
   std::string kind, name, preset, meaning;
@@ -62,7 +56,6 @@ struct Variant {
 struct Parameters {
   std::vector<Config> configs;
   std::vector<std::string> presets;
-  std::vector<Limit> limits;
   std::vector<Variant> variants;
   [[nodiscard]] const Config& config(std::string_view name) const;
   /// Of the evaluator, then of the unit.

@@ -274,6 +274,10 @@ class Reader {
     const std::string text = row.text("needs");
     const std::size_t more = text.find(" > ");
     Need need{text.substr(0, more), more == std::string::npos ? "" : text.substr(more + 3)};
+    if (!need.index.empty() && need.index.find_first_not_of("0123456789") == std::string::npos) {
+      need.number = static_cast<unsigned>(std::stoul(need.index));
+      need.index.clear();
+    }
     if (std::find(others_.parameters.begin(), others_.parameters.end(), need.parameter) ==
         others_.parameters.end()) {
       row.fail("needs", "found '" + need.parameter + "', no parameter");
@@ -395,6 +399,13 @@ unsigned Register::index_of(unsigned copy, std::string_view index) const {
     copy /= repeat->count;
   }
   return 0;
+}
+
+unsigned Register::more_than(const Field& field, unsigned copy, unsigned element) const {
+  const Need& need = field.need.value();
+  if (need.index.empty()) return need.number;
+  const bool own = field.repeat && field.repeat->index == need.index;
+  return own ? element : index_of(copy, need.index);
 }
 
 const Layout& RegisterMap::layout(std::string_view wanted) const {

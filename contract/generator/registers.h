@@ -50,9 +50,10 @@ struct Held {
   unsigned count = 1;
 };
 
-/// A parameter that must be more than 0, or than an index, for a field to be there.
+/// A parameter that must be more than 0, or than a number or an index, for a field to be there.
 struct Need {
-  std::string parameter, index;
+  std::string parameter, index{};
+  unsigned number = 0;  ///< without an index
 };
 
 /// What a field of the capabilities reads as.
@@ -92,6 +93,9 @@ struct Register {
   /// Offset of one of them in an instance, and its number by index.
   [[nodiscard]] unsigned offset_of(unsigned copy) const;
   [[nodiscard]] unsigned index_of(unsigned copy, std::string_view index) const;
+  /// What a field's need asks its parameter to be more than, for one of them and one of its
+  /// elements.
+  [[nodiscard]] unsigned more_than(const Field& field, unsigned copy, unsigned element) const;
 };
 
 struct Block {

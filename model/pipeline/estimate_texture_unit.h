@@ -30,6 +30,7 @@ struct UnitEstimate {
 [[nodiscard]] UnitEstimate estimate_texture_unit(const reference::UnitConfig& unit,
                                                  const reference::UnitState& state,
                                                  const UnitFrame& frame, const MemoryModel& memory,
-                                                 int tile = 16, const StreamTiming& timing = {});
+                                                 int tile = 16, const StreamTiming& timing = {},
+                                                 const reference::EvalConfig& eval = {});
 
 }  // namespace ptm::pipeline

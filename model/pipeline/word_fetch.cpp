@@ -70,6 +70,18 @@ Cycle WordFetch::fetch(const Fragment& fragment, Cycle from) {
   return words_free_;
 }
 
+/// Of the gathered texel's polynomial number `pass`.
+reference::Six<reference::Value> WordFetch::coefficients(unsigned pass) const {
+  const auto a_word = static_cast<unsigned>(texture_.layout.a_word);
+  reference::Six<reference::Value> coef{};
+  for (unsigned i = 0; i < coef.size(); ++i) {
+    const unsigned n = 6 * pass + i;
+    coef[i] = reference::word_field(words_[n / a_word], static_cast<int>(n % a_word),
+                                    texture_.layout.field_bits);
+  }
+  return coef;
+}
+
 /// Hands the gathered texel to the evaluator, pass by pass; returns the cycle of the last one.
 Cycle WordFetch::dispatch(const Fragment& fragment, Cycle from) {
   EvaluatorBeat beat;
@@ -78,13 +90,16 @@ Cycle WordFetch::dispatch(const Fragment& fragment, Cycle from) {
   beat.lu = fragment.lu;
   beat.lv = fragment.lv;
   beat.id = {fragment.x, fragment.y};
-  beat.rgb_map = texture_.layout.planes == 6;
-  if (!beat.rgb_map) beat.rgb = reference::unpack_word(words_[2], 8);
+  beat.rgb_map = texture_.layout.rgb;
+  if (!beat.rgb_map) {
+    const std::uint32_t color = words_[static_cast<std::size_t>(texture_.layout.planes - 1)];
+    for (int c = 0; c < 3; ++c) {
+      beat.rgb[static_cast<std::size_t>(c)] = reference::word_field(color, c, 8);
+    }
+  }
   Cycle taken = from;
   for (unsigned pass = 0; pass < (beat.rgb_map ? 3U : 1U); ++pass) {
-    const auto low = reference::unpack_word(words_[pass * 2], texture_.layout.field_bits);
-    const auto high = reference::unpack_word(words_[pass * 2 + 1], texture_.layout.field_bits);
-    beat.coef = {low[0], low[1], low[2], high[0], high[1], high[2]};
+    beat.coef = coefficients(pass);
     beat.channel = pass;
     taken = out->accept(beat, pass == 0 ? from : taken + 1);
   }

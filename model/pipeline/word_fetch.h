@@ -6,6 +6,7 @@
 
 #include "model/pipeline/stream.h"
 #include "model/reference/fragment.h"
+#include "model/reference/texel_format.h"
 #include "model/reference/texture_words.h"
 
 namespace ptm::pipeline {
@@ -19,9 +20,9 @@ struct TextureDescriptor {
 /// Fetches the words of a texel, `tmus` a cycle, and hands its operands to the evaluator.
 ///
 /// Point sampling from a memory without misses: the place that address, tags, commit and filter
-/// take in the whole unit. The unit of work is a beat, one word a TMU (T1); an LRGB texel is
-/// ceil(3 / tmus) beats, an RGB one ceil(6 / tmus). Storage, each accepting when empty or being
-/// emptied (T6):
+/// take in the whole unit. The unit of work is a beat, one word a TMU (T1); a texel is
+/// ceil(words / tmus) beats, its words the planes of its layout. Storage, each accepting when empty
+/// or being emptied (T6):
 ///
 ///     address    the fragment, until its last beat has gone
 ///     request    a beat's addresses, at the memory
@@ -49,12 +50,14 @@ class WordFetch final : public sc_core::sc_module, public StreamTarget<reference
   [[nodiscard]] Cycle fetch(const reference::Fragment& fragment, Cycle from);
   [[nodiscard]] Cycle read_word(int tmu_index, int plane, std::uint64_t x, std::uint64_t y,
                                 Cycle requested);
+  [[nodiscard]] reference::Six<reference::Value> coefficients(unsigned pass) const;
   [[nodiscard]] Cycle dispatch(const reference::Fragment& fragment, Cycle from);
 
   TextureDescriptor texture_;
   sc_core::sc_time clock_;
   tlm::tlm_generic_payload payload_;
-  std::array<std::uint32_t, 6> words_{};  ///< of the fragment at hand, one a plane
+  /// Of the fragment at hand, one a plane.
+  std::array<std::uint32_t, contract::kFormatWordsMax> words_{};
   /// When the previous item left each register.
   Cycle address_free_ = 0, request_free_ = 0, words_free_ = 0, operands_free_ = 0;
   std::uint64_t words_fetched_ = 0;

@@ -11,9 +11,10 @@ namespace ptm::reference {
 namespace {
 
 template <class Field>
-std::uint32_t pack_word(const Field* fields, int bits) {
-  return static_cast<std::uint32_t>(fields[0]) | static_cast<std::uint32_t>(fields[1]) << bits |
-         static_cast<std::uint32_t>(fields[2]) << (2 * bits);
+std::uint32_t pack_word(const Field* fields, int count, int bits) {
+  std::uint32_t word = 0;
+  for (int k = 0; k < count; ++k) word |= std::uint32_t{fields[k]} << (k * bits);
+  return word;
 }
 
 Six<Value> six(const std::uint16_t* coef) {
@@ -25,17 +26,14 @@ Six<Value> six(const std::uint16_t* coef) {
 }  // namespace
 
 TextureLayout layout_of(const EvalConfig& config, const StoredTexture& texture) {
-  if (config.coef_bits > 10) {
-    throw std::invalid_argument("coef_bits = " + std::to_string(config.coef_bits) +
-                                ", expected at most 10: three coefficients share a 32-bit word");
-  }
   if (std::max(texture.width, texture.height) > kLargestSide) {
     throw std::invalid_argument("a map of " + std::to_string(texture.width) + " x " +
                                 std::to_string(texture.height) + " texels, expected at most " +
                                 std::to_string(kLargestSide) + " a side");
   }
-  return {texture.width, texture.height, map_planes(map_format(texture.rgb)),
-          std::max(8, config.coef_bits)};
+  return {texture.width,      texture.height,
+          texture.rgb,        map_planes(map_format(texture.rgb), config),
+          field_bits(config), coefficients_a_word(config)};
 }
 
 std::vector<std::uint32_t> pack_texture(const TextureLayout& layout, const StoredTexture& texture) {
@@ -46,10 +44,14 @@ std::vector<std::uint32_t> pack_texture(const TextureLayout& layout, const Store
   for (std::uint64_t y = 0; y < static_cast<std::uint64_t>(layout.height); ++y) {
     for (std::uint64_t x = 0; x < static_cast<std::uint64_t>(layout.width); ++x, ++texel) {
       const std::uint16_t* coef = &texture.coef[texel * polynomials * 6];
-      for (int half = 0; half < static_cast<int>(polynomials) * 2; ++half) {
-        words[layout.word(half, x, y)] = pack_word(coef + half * 3, layout.field_bits);
+      const int coef_planes = layout.planes - (texture.rgb ? 0 : 1);
+      for (int plane = 0; plane < coef_planes; ++plane) {
+        words[layout.word(plane, x, y)] =
+            pack_word(coef + plane * layout.a_word, layout.a_word, layout.field_bits);
       }
-      if (!texture.rgb) words[layout.word(2, x, y)] = pack_word(&texture.color[texel * 3], 8);
+      if (!texture.rgb) {
+        words[layout.word(coef_planes, x, y)] = pack_word(&texture.color[texel * 3], 3, 8);
+      }
     }
   }
   return words;

@@ -14,12 +14,19 @@ namespace ptm::reference {
 ///     LRGB  3 planes: (a0 a1 a2), (a3 a4 a5), (R G B)
 ///     RGB   6 planes: (a0 a1 a2), (a3 a4 a5) of red, then green, then blue
 ///
+/// and where coef_bits is above 10, so that a word holds two coefficients,
+///
+///     LRGB  4 planes: (a0 a1), (a2 a3), (a4 a5), (R G B)
+///     RGB   9 planes: (a0 a1), (a2 a3), (a4 a5) of red, then green, then blue
+///
 /// The first field is in the low bits; coefficient fields are max(8, coef_bits) wide, colour
 /// fields 8. Source: HPL-98-131, section 3 (two 24-bit textures); docs/spec/pipeline.md, Words.
 struct TextureLayout {
   int width = 0, height = 0;
-  int planes = 3;      ///< 3 (LRGB) or 6 (RGB)
-  int field_bits = 8;  ///< of a coefficient in its word; 8..10
+  bool rgb = false;
+  int planes = 3;      ///< 3 or 4 (LRGB), 6 or 9 (RGB)
+  int field_bits = 8;  ///< of a coefficient in its word; 8..12
+  int a_word = 3;      ///< coefficients in a word
 
   [[nodiscard]] constexpr std::uint64_t tiles_across() const {
     return (static_cast<std::uint64_t>(width) + 3) / 4;
@@ -46,8 +53,7 @@ struct StoredTexture {
   std::array<Value, 6> bias{}, shift{};
 };
 
-/// Throws std::invalid_argument if coef_bits does not fit three fields in a word (more than 10),
-/// or a side is longer than 4,096.
+/// Throws std::invalid_argument if a side is longer than 4,096.
 [[nodiscard]] TextureLayout layout_of(const EvalConfig& config, const StoredTexture& texture);
 
 /// The memory image, texels beyond the map's edge zero.
@@ -60,11 +66,9 @@ struct StoredTexture {
 [[nodiscard]] RgbOperands<> rgb_operands(const StoredTexture& texture, std::size_t texel, Value lu,
                                          Value lv);
 
-/// The three fields of a word.
-[[nodiscard]] constexpr std::array<Value, 3> unpack_word(std::uint32_t word, int field_bits) {
-  const std::uint32_t mask = (1U << field_bits) - 1U;
-  return {Value{word & mask}, Value{(word >> field_bits) & mask},
-          Value{(word >> (2 * field_bits)) & mask}};
+/// Field k of a word, which must hold as many.
+[[nodiscard]] constexpr Value word_field(std::uint32_t word, int k, int field_bits) {
+  return Value{word >> (k * field_bits) & ((1U << field_bits) - 1U)};
 }
 
 }  // namespace ptm::reference

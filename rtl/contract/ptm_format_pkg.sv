@@ -2,16 +2,58 @@
 //
 // What a texel format has: docs/spec/unit.md, Draw descriptor. Combinational functions.
 package ptm_format_pkg;
-  localparam int WordsMax = 6;  // of a format
+  localparam int PlanesBits = 4;  // of a number of planes
+
+  // Words of the format that has most, where a word holds AWord coefficients
+  function automatic int words_max(input int AWord);
+    words_max = AWord == 3 ? 6 : 9;
+  endfunction
 
   // Planes of the map's own words
-  function automatic logic [2:0] planes(input logic [2:0] format);
+  function automatic logic [PlanesBits-1:0] planes(input int AWord,
+                                                   input logic [2:0] format);
     case (format)
-      ptm_register_pkg::FormatLrgb: planes = 3'd3;
-      ptm_register_pkg::FormatRgb: planes = 3'd6;
-      ptm_register_pkg::FormatPaletteLrgb: planes = 3'd1;
-      ptm_register_pkg::FormatPaletteRgb: planes = 3'd1;
-      default: planes = 3'd0;
+      ptm_register_pkg::FormatLrgb: planes = AWord == 3 ? 4'd3 : 4'd4;
+      ptm_register_pkg::FormatRgb: planes = AWord == 3 ? 4'd6 : 4'd9;
+      ptm_register_pkg::FormatPaletteLrgb: planes = 4'd1;
+      ptm_register_pkg::FormatPaletteRgb: planes = 4'd1;
+      default: planes = 4'd0;
+    endcase
+  endfunction
+
+  // Fields of a filtered fragment that come of each word, five bits a word, word 0 lowest, where a
+  // word holds 3 coefficients
+  function automatic logic [29:0] word_fields_3(input logic [2:0] format);
+    case (format)
+      ptm_register_pkg::FormatNone: word_fields_3 = {
+          5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0};
+      ptm_register_pkg::FormatLrgb: word_fields_3 = {
+          5'd0, 5'd0, 5'd0, 5'd4, 5'd3, 5'd3};
+      ptm_register_pkg::FormatRgb: word_fields_3 = {
+          5'd3, 5'd3, 5'd3, 5'd3, 5'd3, 5'd3};
+      ptm_register_pkg::FormatPaletteLrgb: word_fields_3 = {
+          5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd9};
+      ptm_register_pkg::FormatPaletteRgb: word_fields_3 = {
+          5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd18};
+      default: word_fields_3 = '0;
+    endcase
+  endfunction
+
+  // Fields of a filtered fragment that come of each word, five bits a word, word 0 lowest, where a
+  // word holds 2 coefficients
+  function automatic logic [44:0] word_fields_2(input logic [2:0] format);
+    case (format)
+      ptm_register_pkg::FormatNone: word_fields_2 = {
+          5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0};
+      ptm_register_pkg::FormatLrgb: word_fields_2 = {
+          5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd4, 5'd2, 5'd2, 5'd2};
+      ptm_register_pkg::FormatRgb: word_fields_2 = {
+          5'd2, 5'd2, 5'd2, 5'd2, 5'd2, 5'd2, 5'd2, 5'd2, 5'd2};
+      ptm_register_pkg::FormatPaletteLrgb: word_fields_2 = {
+          5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd9};
+      ptm_register_pkg::FormatPaletteRgb: word_fields_2 = {
+          5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd18};
+      default: word_fields_2 = '0;
     endcase
   endfunction
 
@@ -57,18 +99,6 @@ package ptm_format_pkg;
       ptm_register_pkg::FormatPaletteLrgb: eval_multiplies = 5'd11;
       ptm_register_pkg::FormatPaletteRgb: eval_multiplies = 5'd24;
       default: eval_multiplies = 5'd0;
-    endcase
-  endfunction
-
-  // Fields of a filtered fragment that come of each word, five bits a word, word 0 lowest
-  function automatic logic [5*WordsMax-1:0] word_fields(input logic [2:0] format);
-    case (format)
-      ptm_register_pkg::FormatNone: word_fields = {5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd0};
-      ptm_register_pkg::FormatLrgb: word_fields = {5'd0, 5'd0, 5'd0, 5'd4, 5'd3, 5'd3};
-      ptm_register_pkg::FormatRgb: word_fields = {5'd3, 5'd3, 5'd3, 5'd3, 5'd3, 5'd3};
-      ptm_register_pkg::FormatPaletteLrgb: word_fields = {5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd9};
-      ptm_register_pkg::FormatPaletteRgb: word_fields = {5'd0, 5'd0, 5'd0, 5'd0, 5'd0, 5'd18};
-      default: word_fields = '0;
     endcase
   endfunction
 

@@ -131,6 +131,9 @@
   localparam logic [15:0] MemoryBaseAddr = 16'h1004;
   localparam logic [4:0] MemoryBaseOffset = 5'd4;
   localparam int MemoryBaseBaseLow = 0, MemoryBaseBaseW = 26;
+  localparam logic [15:0] PaletteUpperAddr = 16'h1005;
+  localparam logic [4:0] PaletteUpperOffset = 5'd5;
+  localparam int PaletteUpperBitsLow = 0, PaletteUpperBitsW = 4;
   localparam logic [15:0] EventsAddr = 16'h1008;
   localparam logic [4:0] EventsOffset = 5'd8;
   localparam int EventsIdleLow = 0, EventsIdleW = 1;
@@ -150,7 +153,7 @@
   localparam logic [4:0] VersionOffset = 5'd17;
   localparam int VersionMinorLow = 0, VersionMinorW = 16;
   localparam int VersionMajorLow = 16, VersionMajorW = 16;
-  localparam logic [31:0] VersionReset = 32'h00010000;
+  localparam logic [31:0] VersionReset = 32'h00010001;
   localparam logic [15:0] BuiltUnitAddr = 16'h1012;
   localparam logic [4:0] BuiltUnitOffset = 5'd18;
   localparam int BuiltUnitTmusLow = 0, BuiltUnitTmusW = 2;

@@ -6,6 +6,7 @@ function automatic logic is_shared_write(input logic [15:0] address,
                     (address == ptm_register_pkg::CommandAddr && data[0] != '0) ||
                     address == ptm_register_pkg::MemoryLinesAddr ||
                     address == ptm_register_pkg::MemoryBaseAddr ||
+                    (CoefBits > 10 && address == ptm_register_pkg::PaletteUpperAddr) ||
                     address[15:7] == 9'h050 ||
                     address[15:10] == 6'h0c ||
                     address[15:11] == 5'h08 ||

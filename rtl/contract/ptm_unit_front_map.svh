@@ -1,3 +1,4 @@
 // Written by scripts/contract from contract/parameters.toml; change it there.
-    .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo), .MissFifo(MissFifo),
-    .ExtraSets(ExtraSets), .Stages(Stages), .Counters(Counters), .DuplicateLines(DuplicateLines)
+    .CoefBits(CoefBits), .Tmus(Tmus), .CacheKib(CacheKib), .Ways(Ways), .FragmentFifo(FragmentFifo),
+    .MissFifo(MissFifo), .ExtraSets(ExtraSets), .Stages(Stages), .Counters(Counters),
+    .DuplicateLines(DuplicateLines)

@@ -1,4 +1,6 @@
 // Written by scripts/contract from contract/parameters.toml; change it there.
+  // stored coefficient, unsigned; 4..12
+  parameter int CoefBits       = 8,
   // words fetched side by side, each with a cache of its own; 1..3
   parameter int Tmus           = 3,
   // size of one TMU's cache; 1, 2, 4, 8, 16, 32, 64

@@ -10,7 +10,6 @@ module ptm_unit_parameters #(
 `include "contract/ptm_evaluator_map.svh"
   ) u_evaluator ();
 
-  `PTM_REQUIRE(ptm_illegal_CoefBits_above_10_in_a_unit, CoefBits <= 10)
   `PTM_REQUIRE(ptm_illegal_Tmus_not_1_to_3, Tmus >= 1 && Tmus <= 3)
   `PTM_REQUIRE(ptm_illegal_CacheKib_not_1_2_4_8_16_32_or_64,
                CacheKib == 1 || CacheKib == 2 || CacheKib == 4 || CacheKib == 8 || CacheKib == 16 ||

@@ -69,7 +69,7 @@ PixelCost pixel_cost(const reference::EvalConfig& config, const Draw& draw, cons
   cost.eval = counters[UnitCounter::multiplies_eval];
   cost.combine = counters[UnitCounter::multiplies_combine];
   cost.effects = counters[UnitCounter::multiplies_effects];
-  cost.cycles = warm_cycles(draw, unit, fragment);
+  cost.cycles = warm_cycles(draw, unit, fragment, config);
   return cost;
 }
 
@@ -88,7 +88,7 @@ PlannedDraw plan_draw(const golden::DrawSpec& spec, const Draw& draw,
   if (spec.map >= 0) planned.map = textures[index(spec.map)].name;
   if (spec.color >= 0) planned.color = textures[index(spec.color)].name;
   for (const golden::EffectSpec& effect : spec.effects) planned.effects.push_back(effect.effect);
-  planned.words = draw_words(draw);
+  planned.words = draw_words(draw, config);
   planned.passes = draw_passes(draw);
   planned.extra_passes = draw.effects.passes;
   planned.stages = stage_names(draw.effects.stages);
@@ -163,8 +163,9 @@ reference::DrawEffects planned_effects(const golden::DrawSpec& spec,
   return effects;
 }
 
-int warm_cycles(const Draw& draw, const UnitConfig& unit, const reference::UnitFragment& fragment) {
-  const int groups = (draw_words(draw) + unit.tmus - 1) / unit.tmus;
+int warm_cycles(const Draw& draw, const UnitConfig& unit, const reference::UnitFragment& fragment,
+                const reference::EvalConfig& config) {
+  const int groups = (draw_words(draw, config) + unit.tmus - 1) / unit.tmus;
   const int probes = 1 << fragment.probes_log2;
   int beats = 0;
   for (int probe = 0; probe < probes; ++probe) {

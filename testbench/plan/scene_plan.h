@@ -6,9 +6,9 @@
 #include "golden/scene/textures.h"
 #include "golden/scene/unit_scene.h"
 #include "model/reference/unit/draw.h"
-#include "model/reference/unit/unit_fragment.h"
 #include "model/reference/unit/unit_config.h"
 #include "model/reference/unit/unit_counters.h"
+#include "model/reference/unit/unit_fragment.h"
 
 /// What a scene calls for, and what it will cost: known before anything is drawn.
 namespace ptm::testbench {
@@ -50,7 +50,8 @@ struct ScenePlan {
 /// Cycles of one fragment whose lines are all hits and that no seam splits:
 /// docs/spec/unit-timing.md, "Cycles per pixel"; docs/spec/effects.md, "Time".
 [[nodiscard]] int warm_cycles(const reference::Draw& draw, const reference::UnitConfig& unit,
-                              const reference::UnitFragment& fragment);
+                              const reference::UnitFragment& fragment,
+                              const reference::EvalConfig& config);
 
 /// What effects add to a draw's descriptor, but for bias and shift of its sets.
 [[nodiscard]] reference::DrawEffects planned_effects(const golden::DrawSpec& spec,

@@ -95,7 +95,8 @@ FrameResult stream_frame(RtlEvaluator& rtl, const FlatJob& job,
   // The words come from software, as fast as the pipeline's ideal memory lets them.
   const contract::FormatRow& format = reference::format_row(reference::map_format(texture.rgb));
   const auto passes = static_cast<unsigned>(format.passes);
-  const int beats = (format.planes + job.tmus - 1) / job.tmus;
+  const int planes = reference::map_planes(reference::map_format(texture.rgb), job.config);
+  const int beats = (planes + job.tmus - 1) / job.tmus;
   const auto idle = static_cast<Cycle>(std::max(0, beats - static_cast<int>(passes)));
   const pipeline::StreamTiming timing{.idle = idle, .group = passes};
   RtlCounters counters;

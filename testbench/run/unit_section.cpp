@@ -87,7 +87,7 @@ double warm_cycles_per_pixel(const UnitJob& job, int draw) {
   for (const UnitFrameInput& frame : job.frames) {
     for (const reference::UnitFragment& fragment : frame.fragments) {
       if (fragment.draw != draw) continue;
-      sum += warm_cycles(d, job.unit, fragment);
+      sum += warm_cycles(d, job.unit, fragment, job.config);
       ++count;
     }
   }

@@ -251,7 +251,7 @@ class StateBuilder {
   }
 
   void check(std::size_t d) const {
-    const unsigned errors = check_draw(state_.draws[d], state_.memory.size(), kAnyUnit);
+    const unsigned errors = check_draw(state_.draws[d], state_.memory.size(), kAnyUnit, config_);
     if (errors == 0) return;
     throw InputError(scene_.file.string(), "draw " + std::to_string(d),
                      "a descriptor with error bits " + std::to_string(errors),

@@ -60,7 +60,8 @@ void estimate(const UnitJob& job, const pipeline::UnitSimulation& simulation) {
   const int tile = job.scene.traversal == golden::Traversal::tiles ? job.scene.tile : kScanSpan;
   const auto run = [&](std::span<const reference::UnitFragment> fragments) {
     return pipeline::estimate_texture_unit(simulation.unit, *simulation.state, {fragments},
-                                           simulation.memory, tile, simulation.timing);
+                                           simulation.memory, tile, simulation.timing,
+                                           simulation.eval);
   };
   std::vector<reference::UnitFragment> before;
   pipeline::UnitEstimate spent;

@@ -57,7 +57,7 @@ module ptm_unit_back_tb #(
   input  logic [2:0]  probes_log2_i,
   input  logic        first_probe_i,
   input  logic        second_i,
-  input  logic [2:0]  group_i,
+  input  logic [ptm_unit_pkg::GroupBits-1:0] group_i,
   input  logic [7:0]  wu_i [2],
   input  logic [7:0]  wv_i [2],
   input  logic [7:0]  f_i [2],
@@ -89,6 +89,7 @@ module ptm_unit_back_tb #(
   logic [10:0]                             pal_lrgb_addr;
   logic [14:0]                             pal_rgb_addr;
   logic [31:0]                             pal_data;
+  logic [3:0]                              pal_upper;
   assign counter = counter_number < 6'(ptm_unit_pkg::Counters) ? counters_i[counter_number] : '0;
   logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities;
   for (genvar n = 0; n < ptm_unit_pkg::CapabilityWords; n++) begin : gen_capabilities
@@ -101,7 +102,9 @@ module ptm_unit_back_tb #(
   logic [11:0] table_data;
   logic [5:0]  inc_effects;
   logic [25:0] mem_base;
-  ptm_unit_registers u_registers (
+  ptm_unit_registers #(
+    .CoefBits(CoefBits)
+  ) u_registers (
     .effects_o(effects), .table_we_o(table_we), .table_addr_o(table_addr),
     .table_data_o(table_data),
     .clk_i(clk_i), .rst_ni(rst_ni), .reg_we_i(reg_we_i), .reg_addr_i(reg_addr_i),
@@ -112,7 +115,7 @@ module ptm_unit_back_tb #(
     .draining_i(1'b0), .mem_base_o(mem_base), .counter_number_o(counter_number), .counter_i(counter),
     .capabilities_i(capabilities), .pal_lrgb_we_o(pal_lrgb_we),
     .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we), .pal_rgb_addr_o(pal_rgb_addr),
-    .pal_data_o(pal_data)
+    .pal_data_o(pal_data), .pal_upper_o(pal_upper)
   );
 
   ptm_unit_pkg::draw_t draw;
@@ -166,7 +169,7 @@ module ptm_unit_back_tb #(
     beat.probes_log2   = probes_log2_i;
     beat.first_probe   = first_probe_i;
     beat.second        = second_i;
-    beat.group         = ptm_unit_pkg::GroupBits'(group_i);
+    beat.group         = group_i;
     beat.ptm.wu        = wu_i[0];
     beat.ptm.wv        = wv_i[0];
     beat.ptm.f         = f_i[0];
@@ -200,8 +203,8 @@ module ptm_unit_back_tb #(
     .inc_effects_o(inc_effects),
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .pal_lrgb_we_i(pal_lrgb_we),
     .pal_lrgb_addr_i(pal_lrgb_addr), .pal_rgb_we_i(pal_rgb_we), .pal_rgb_addr_i(pal_rgb_addr),
-    .pal_data_i(pal_data), .d_valid_i(d_valid_i), .d_ready_o(d_ready_o), .d_beat_i(beat),
-    .d_taps_i(taps), .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i),
+    .pal_data_i(pal_data), .pal_upper_i(pal_upper), .d_valid_i(d_valid_i), .d_ready_o(d_ready_o),
+    .d_beat_i(beat), .d_taps_i(taps), .pix_valid_o(pix_valid_o), .pix_ready_i(pix_ready_i),
     .pix_x_o(pix_x_o[13:0]), .pix_y_o(pix_y_o[13:0]), .pix_rgb_o(pix_rgb),
     .pix_alpha_o(pix_alpha_o), .pix_lum_saturated_o(pix_lum_saturated_o),
     .pix_color_saturated_o(pix_color_saturated_o), .inc_palette_o(inc_palette),

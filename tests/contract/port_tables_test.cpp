@@ -65,6 +65,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "kind: found 'colour', no [[kind]]"},
         Mistake{"FieldsBeyondTheMaps", kFormats, "kind = \"color\", field = 18",
                 "kind = \"color\", field = 19", "field: the word's fields end beyond 21"},
+        Mistake{"FourCoefficientsAWord", kFormats, "fields = 3", "fields = 4",
+                "fields: found 4, expected 3 coefficients"},
+        Mistake{"NeedOfNoIndex", kRegisters, "needs = \"coef_bits > 10\"",
+                "needs = \"coef_bits > n\"", "needs: found 'n', no index of the register or field"},
         Mistake{"TwoPasses", kFormats, "passes = 3", "passes = 2",
                 "passes: found 2, expected 1 or 3"}),
     [](const auto& tested) { return std::string(tested.param.name); });
@@ -90,6 +94,42 @@ TEST(PortTablesWhole, RefuseWhatNoRowSaysAlone) {
   const Ended number = gap.generate();
   EXPECT_EQ(number.code, 3);
   EXPECT_NE(number.said.find("no counter has the number 37"), std::string::npos) << number.said;
+}
+
+TEST(PortTablesWhole, DealTheCoefficientsOfWordsOutAnewWhereAWordHoldsTwo) {
+  ChangedTables tables;
+  tables.append("formats.toml", R"(
+[[format]]
+name = "short"
+title = "short"
+meaning = "three coefficients, a colour, three more"
+words = [
+  { kind = "coefficients", field = 0 },
+  { kind = "color", field = 18 },
+  { kind = "coefficients", field = 3 },
+]
+polynomials = 1
+passes = 1
+multiplies = 11
+)");
+  const Ended ended = tables.generate();
+  ASSERT_EQ(ended.code, 0) << ended.said;
+  const std::string header = whole_text(tables.scratch() / "include/contract/formats.h");
+  const auto words = [&header](const std::string& begin) {
+    const std::size_t at = header.find(begin);
+    EXPECT_NE(at, std::string::npos) << header;
+    std::string text = header.substr(at, header.find("}},", at) - at);
+    std::erase(text, ' ');
+    std::erase(text, '\n');
+    return text;
+  };
+  EXPECT_EQ(words("FormatWords{3, {  // short"),
+            "FormatWords{3,{//shortFormatWord{WordKind::coefficients,0,3},"
+            "FormatWord{WordKind::color,18,4},FormatWord{WordKind::coefficients,3,3}");
+  EXPECT_EQ(words("FormatWords{5, {  // short"),
+            "FormatWords{5,{//shortFormatWord{WordKind::coefficients,0,2},"
+            "FormatWord{WordKind::coefficients,2,1},FormatWord{WordKind::color,18,4},"
+            "FormatWord{WordKind::coefficients,3,2},FormatWord{WordKind::coefficients,5,1}");
 }
 
 }  // namespace

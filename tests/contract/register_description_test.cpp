@@ -26,7 +26,8 @@ TEST(RegisterDescription, SaysOfEveryAddressWhatIsKeptThere) {
     }
   }
   for (unsigned address = 0; address < kept.size(); ++address) {
-    ASSERT_EQ(kept[address], stored_bits(static_cast<std::uint16_t>(address), all))
+    ASSERT_EQ(kept[address],
+              stored_bits(static_cast<std::uint16_t>(address), all, {.coef_bits = 12}))
         << "word " << address;
   }
 }

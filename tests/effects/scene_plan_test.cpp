@@ -99,8 +99,8 @@ TEST_P(WarmCycles, AreWhatEachFurtherCopyOfAFragmentCosts) {
     tried[fragment.draw] = true;
     const std::uint64_t once = cycles_of(job, fragment, kCopies),
                         twice = cycles_of(job, fragment, 2 * kCopies);
-    EXPECT_EQ(twice - once,
-              kCopies * static_cast<std::uint64_t>(warm_cycles(draw, job.unit, fragment)))
+    EXPECT_EQ(twice - once, kCopies * static_cast<std::uint64_t>(
+                                          warm_cycles(draw, job.unit, fragment, job.config)))
         << "draw " << int{fragment.draw};
   }
 }

@@ -31,6 +31,7 @@ struct Scene {
   std::function<void(UnitConfig&)> unit = [](UnitConfig&) {};
   MemoryModel memory = FixedMemory{};
   int tile = 16;  ///< 0: scan lines
+  EvalConfig eval{};
 };
 
 std::vector<UnitFragment> fragments_of(const Scene& scene) {
@@ -72,7 +73,7 @@ std::function<void(Draw&)> map(TextureFormat format, int width, int height, Mip 
   return [=](Draw& draw) {
     draw.format = format;
     draw.mip = mip;
-    draw.map = levels(width, height, map_planes(format), 0);
+    draw.map = levels(width, height, map_planes(format, {}), 0);
   };
 }
 
@@ -98,6 +99,13 @@ Place sphere(double x, double y) {
 }
 Place larger(double x, double y) { return {4 * upright(x, y).u, 4 * y}; }
 
+/// Two coefficients a word.
+constexpr EvalConfig kTwelveBits{.coef_bits = 12};
+void twelve_bits(Draw& draw) {
+  draw.format = TextureFormat::lrgb;
+  draw.map = levels(256, 256, map_planes(draw.format, kTwelveBits), 0);
+}
+
 /// A unit with all that effects may add.
 void all_effects(UnitConfig& u) {
   u.extra_sets = u.extra_passes = 4;
@@ -113,11 +121,11 @@ std::function<void(Draw&)> effects(TextureFormat format, int sets, int passes) {
     draw.effects.passes = passes;
     draw.effects.stages = 7;
     for (auto& pass : draw.effects.pass) pass.set = sets;
-    draw.map = levels(256, 256, array_planes(draw), 0);
+    draw.map = levels(256, 256, array_planes(draw, {}), 0);
   };
 }
 
-const std::array<Scene, 21> kScenes{{
+const std::array<Scene, 22> kScenes{{
     {"UprightPlane", map(TextureFormat::lrgb, 256, 256), upright},
     {"UprightPlaneInScanLines", map(TextureFormat::lrgb, 256, 256), upright, [](auto&) {},
      FixedMemory{}, 0},
@@ -126,6 +134,7 @@ const std::array<Scene, 21> kScenes{{
      [](UnitConfig& u) { u.tmus = 1; }},
     {"TurnedPlaneTwoTmus", map(TextureFormat::lrgb, 256, 256), turned,
      [](UnitConfig& u) { u.tmus = 2; }},
+    {"TurnedPlaneTwelveBits", twelve_bits, turned, [](auto&) {}, FixedMemory{}, 16, kTwelveBits},
     {"RgbPlane", map(TextureFormat::rgb, 200, 300), turned},
     {"PalettePlane", map(TextureFormat::palette_lrgb, 256, 256), turned,
      [](UnitConfig& u) { u.palette_lrgb_ports = 1; }},
@@ -169,17 +178,18 @@ TEST_P(Estimates, AreWithinThreePercentOfExact) {
   scene.unit(config);
   UnitState state;
   scene.draw(state.draws.emplace_back());
-  ASSERT_EQ(check_draw(state.draws[0], 1 << 26, config), 0U);
+  ASSERT_EQ(check_draw(state.draws[0], 1 << 26, config, scene.eval), 0U);
   const auto fragments = fragments_of(scene);
   ASSERT_GE(fragments.size(), 65536U);
   const sc_core::sc_time clock(1, sc_core::SC_NS);
   MemoryTarget memory("memory", make_memory(scene.memory), {}, clock);
-  TextureUnit unit("unit", config, state.draws, {}, {}, clock);
+  TextureUnit unit("unit", config, state.draws, {}, {}, clock, scene.eval);
   unit.memory.socket.bind(memory.socket);
   sc_core::sc_start(sc_core::SC_ZERO_TIME);
   memory.reset();
   const UnitCounters exact = unit.run({fragments}, kPatience).result.counters;
-  const UnitEstimate loose = estimate_texture_unit(config, state, {fragments}, scene.memory, 16);
+  const UnitEstimate loose =
+      estimate_texture_unit(config, state, {fragments}, scene.memory, 16, {}, scene.eval);
   const auto cycles = static_cast<double>(exact[UnitCounter::cycles]);
   const double error = static_cast<double>(loose.cycles) / cycles - 1;
   std::cout << scene.name << ": " << fragments.size() << " fragments, " << cycles << " cycles, "

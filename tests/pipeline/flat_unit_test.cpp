@@ -35,12 +35,13 @@ std::vector<Fragment> fragments_over(int width, int height) {
 
 std::vector<FrameResult> simulate(const UnitConfig& unit, const StoredTexture& texture,
                                   const std::vector<std::vector<Fragment>>& frames,
-                                  const StreamTiming& timing = {}) {
+                                  const StreamTiming& timing = {},
+                                  const reference::EvalConfig& config = reference::kBase) {
   std::vector<FrameResult> results;
   const FrameStream stream{frames.size(),
                            [&](std::size_t n) { return std::span<const Fragment>(frames[n]); },
                            [&](std::size_t, FrameResult&& r) { results.push_back(std::move(r)); }};
-  simulate_unit(reference::kBase, unit, texture, stream, timing);
+  simulate_unit(config, unit, texture, stream, timing);
   return results;
 }
 
@@ -86,6 +87,36 @@ TEST(FlatUnit, GivesTheReferencesPixelsThroughWordsInMemory) {
     ASSERT_EQ(frame.pixels[n].lum[0], trace.luminance.lum.lum);
   }
 }
+
+/// Coefficients of more than ten bits, two a word: width and the number of polynomials.
+class WideCoefficients : public testing::TestWithParam<std::tuple<int, bool>> {};
+
+TEST_P(WideCoefficients, GiveTheReferencesPixelsAndTakeAWordMoreForEachPolynomial) {
+  const auto [coef_bits, rgb] = GetParam();
+  reference::EvalConfig config;
+  config.coef_bits = coef_bits;
+  config.delta_bits = coef_bits + 1;
+  StoredTexture texture = make_texture(13, 9, rgb);
+  for (std::size_t i = 0; i < texture.coef.size(); ++i) {
+    texture.coef[i] = static_cast<std::uint16_t>((i * 1973 + 11) % (1U << coef_bits));
+  }
+  texture.bias = {1700, 2000, 1500, 2040, 2030, 0};
+  texture.shift = {4, 4, 5, 4, 3, 4};
+  const std::vector<std::vector<Fragment>> frames{fragments_over(13, 9)};
+  const auto frame = simulate({3}, texture, frames, {}, config).front();
+  EXPECT_EQ(frame.words_fetched, 13U * 9 * (rgb ? 9 : 4));
+  const std::uint64_t cycles_a_pixel = rgb ? 3 : 2;  // beats of three words
+  for (std::size_t n = 0; n < frame.pixels.size(); ++n) {
+    ASSERT_EQ(frame.cycles[n] - frame.cycles[0], n * cycles_a_pixel);
+    const Fragment& f = frames[0][n];
+    const auto out = rgb ? evaluate_rgb(config, rgb_operands(texture, n, f.lu, f.lv)).color.out
+                         : evaluate_lrgb(config, lrgb_operands(texture, n, f.lu, f.lv)).color.out;
+    for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(frame.pixels[n].out[c], out[c]) << "texel " << n;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, WideCoefficients,
+                         testing::Combine(testing::Values(11, 12), testing::Bool()));
 
 TEST(FlatUnit, GivesTheReferencesPixelsOfAnRgbMapInEveryFrame) {
   const auto texture = make_texture(7, 5, true);

@@ -25,6 +25,7 @@ struct RandomUnit {
   explicit RandomUnit(std::uint64_t seed, bool with_effects = false) : random_(seed) {
     make_config();
     unit.eval_lanes = seed % 3 == 2 ? 3 : 1;
+    if (seed % 4 == 1) eval.coef_bits = 12;  // two coefficients a word
     if (with_effects) add_effects(seed);
     make_disturbance(seed);
     const int count = pick({1, 1, 2, 4});
@@ -140,7 +141,7 @@ struct RandomUnit {
     }
     draw.color_lod = below(2048) - 1024;
     if (unit.extra_passes > 0 || unit.stages != 0) use_effects(draw);
-    if (draw.format != TextureFormat::none) draw.map = make_texture(array_planes(draw));
+    if (draw.format != TextureFormat::none) draw.map = make_texture(array_planes(draw, eval));
     if (draw.color) draw.color_texture = make_texture(1);
     // The same lines under two names: what duplicate_lines counts.
     if (one_in(2) && draw.color && !draws.empty() && draws[0].color) {

@@ -27,12 +27,28 @@ bool collides(bool fetched, std::int32_t a, std::int32_t b) {
 
 }  // namespace
 
+/// Words of the map itself, and of a draw's sets: docs/spec/unit.md, "Words".
+int SteppedUnit::own_words(const Draw& draw) const {
+  switch (draw.format) {
+    case TextureFormat::none:
+      return 0;
+    case TextureFormat::lrgb:
+      return eval_.coef_bits > 10 ? 4 : 3;
+    case TextureFormat::rgb:
+      return eval_.coef_bits > 10 ? 9 : 6;
+    default:
+      return 1;
+  }
+}
+int SteppedUnit::set_words(const Draw& draw) const {
+  return (eval_.coef_bits > 10 ? 3 : 2) * draw.effects.sets;
+}
+
 SteppedUnit::Tap SteppedUnit::make_tap(const Draw& draw, const Word& word, const Footprint& at,
                                        unsigned number) const {
   const std::int32_t i = number % 2 == 1 ? at.i1 : at.i0;
   const std::int32_t j = number / 2 == 1 ? at.j1 : at.j0;
-  const int map_planes = reference::map_planes(draw.format) + 2 * draw.effects.sets;
-  const int planes = word.texture == 0 ? map_planes : 1;
+  const int planes = word.texture == 0 ? own_words(draw) + set_words(draw) : 1;
   Tap tap;
   tap.number = number;
   tap.line =
@@ -51,7 +67,7 @@ SteppedUnit::Tap SteppedUnit::make_tap(const Draw& draw, const Word& word, const
 
 SteppedUnit::Word SteppedUnit::make_word(const Draw& draw, int word,
                                          const std::array<Footprint, 2>& footprints) const {
-  const int map_words = reference::map_planes(draw.format);
+  const int map_words = own_words(draw);
   Word out;
   out.tmu = static_cast<std::size_t>(word % unit_.tmus);
   out.plane = word;
@@ -79,9 +95,10 @@ void SteppedUnit::book_beat(const Beat& beat, const UnitFragment& fragment, int 
     textures.insert(word.texture);
     if (word.taps.empty()) continue;
     ++c[UnitCounter::words];
-    std::uint64_t fields = 3;
+    std::uint64_t fields = eval_.coef_bits > 10 ? 2 : 3;
     if (word.texture == 1) fields = 4;
-    if (word.texture == 0 && beat.draw->format == TextureFormat::lrgb && word.plane == 2) {
+    if (word.texture == 0 && beat.draw->format == TextureFormat::lrgb &&
+        word.plane + 1 == own_words(*beat.draw)) {
       fields = 4;
     }
     if (word.palette) fields = beat.draw->format == TextureFormat::palette_lrgb ? 9 : 18;
@@ -104,8 +121,7 @@ void SteppedUnit::book_effects(const Draw& draw) {
 std::vector<SteppedUnit::Beat> SteppedUnit::make_beats(std::size_t number) {
   const UnitFragment& fragment = fragments_[number];
   const Draw& draw = draws_[fragment.draw];
-  const int words =
-      reference::map_planes(draw.format) + (draw.color ? 1 : 0) + 2 * draw.effects.sets;
+  const int words = own_words(draw) + (draw.color ? 1 : 0) + set_words(draw);
   std::vector<Beat> beats;
   for (int probe = 0; probe < 1 << fragment.probes_log2; ++probe) {
     for (int m = 0; m < reference::footprint_count(draw, fragment); ++m) {

@@ -74,6 +74,8 @@ class SteppedUnit {
   [[nodiscard]] std::vector<Beat> make_beats(std::size_t fragment);
   [[nodiscard]] Word make_word(const reference::Draw& draw, int word,
                                const std::array<reference::Footprint, 2>& footprints) const;
+  [[nodiscard]] int own_words(const reference::Draw& draw) const;
+  [[nodiscard]] int set_words(const reference::Draw& draw) const;
   [[nodiscard]] Tap make_tap(const reference::Draw& draw, const Word& word,
                              const reference::Footprint& at, unsigned number) const;
   void book_effects(const reference::Draw& draw);

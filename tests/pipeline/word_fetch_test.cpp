@@ -31,8 +31,9 @@ class BlockedEvaluator : public sc_core::sc_module, public StreamTarget<Evaluato
 constexpr Cycle kBlockedUntil = 1000;
 
 /// The cycles in which eight fragments, offered as soon as may be, are taken.
-std::vector<Cycle> accepted(int tmus, bool rgb) {
-  const TextureDescriptor texture{{4, 4, rgb ? 6 : 3, 8}, {}, {}};
+std::vector<Cycle> accepted(int tmus, bool rgb, int coef_bits = 8) {
+  const reference::StoredTexture map{.width = 4, .height = 4, .rgb = rgb};
+  const TextureDescriptor texture{reference::layout_of({.coef_bits = coef_bits}, map), {}, {}};
   const std::vector<std::uint32_t> words(texture.layout.words());
   const sc_core::sc_time clock(1, sc_core::SC_NS);
   IdealMemory memory("memory", words, clock);
@@ -69,6 +70,14 @@ TEST(WordFetch, KeepsAnRgbTexelUntilItsThirdPassIsTaken) {
   EXPECT_LT(cycles[2], kBlockedUntil);
   EXPECT_GT(cycles[3], kBlockedUntil + 1) << "two passes of the first texel are still to go";
   EXPECT_EQ(cycles[7] - cycles[6], 3U);
+}
+
+TEST(WordFetch, TakesTheBeatsOfMoreWordsWhereAWordHoldsTwoCoefficients) {
+  // Four words by three TMUs are two beats, as three by two; nine by three are three, as six by
+  // two.
+  EXPECT_EQ(accepted(3, false, 12), accepted(2, false, 10));
+  EXPECT_EQ(accepted(3, true, 11), accepted(2, true, 10));
+  EXPECT_NE(accepted(3, false, 12), accepted(3, false, 10));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(CapabilityWords, HoldEveryParameterAtBothEndsOfItsRange) {
                  .shift_min = -8,
                  .shift_groups = 3,
                  .filter_frac = 0};
-  EvalConfig high{.coef_bits = 10,
+  EvalConfig high{.coef_bits = 12,
                   .delta_bits = 13,
                   .light_int = 3,
                   .light_frac = 14,
@@ -100,7 +100,7 @@ TEST(CapabilityWords, HoldEveryParameterAtBothEndsOfItsRange) {
                                     {{"ExtraPasses", 2, 6, 4}, 0, 4},
                                     {{"HalfVector", 2, 8, 8}, 0, 1},
                                     {{"Stages", 2, 23, 16}, 0, 255},
-                                    {{"CoefBits", 6, 3, 0}, 4, 10},
+                                    {{"CoefBits", 6, 3, 0}, 4, 12},
                                     {{"DeltaBits", 6, 7, 4}, 5, 13},
                                     {{"LightInt", 6, 9, 8}, 1, 3},
                                     {{"LightFrac", 6, 15, 12}, 4, 14},
@@ -186,6 +186,8 @@ TEST(StoredBits, AreNoneOfWhatIsNotBuiltIn) {
   EXPECT_EQ(stored_bits(0x2805, sets), 0x1f0fffU);
   EXPECT_EQ(stored_bits(0x2806, sets), 0U);
   EXPECT_EQ(stored_bits(0x2808, sets), 0U);
+  EXPECT_EQ(stored_bits(0x1005, {}, {.coef_bits = 10}), 0U);
+  EXPECT_EQ(stored_bits(0x1005, {}, {.coef_bits = 11}), 15U);
   const UnitConfig stages{.stages = 4};
   EXPECT_EQ(stored_bits(13, stages), 0xff00U);
   EXPECT_EQ(stored_bits(14, stages), 0xffffffffU);

@@ -18,7 +18,9 @@ using tests::UnitSceneMaker;
 void expect_word(const UnitScene& scene, const UnitFragment& f, const Beat& beat, int word,
                  const BeatWord& got) {
   const Draw& draw = scene.state.draws[f.draw];
-  const int own = map_planes(draw.format), planes = own + 2 * draw.effects.sets;
+  const bool wide = scene.config.coef_bits > 10;  // two coefficients a word
+  const int own = map_planes(draw.format, scene.config);
+  const int planes = own + (wide ? 3 : 2) * draw.effects.sets;
   const int words = planes + (draw.color ? 1 : 0);
   ASSERT_EQ(got.present, word < words);
   if (!got.present) {
@@ -72,8 +74,8 @@ void expect_beats(const UnitScene& scene, const UnitFragment& f, int tmus) {
   const Draw& draw = scene.state.draws[f.draw];
   UnitConfig config;
   config.tmus = tmus;
-  const std::vector<Beat> beats = fragment_beats(draw, f, config);
-  const int words = map_planes(draw.format) + (draw.color ? 1 : 0) + 2 * draw.effects.sets;
+  const std::vector<Beat> beats = fragment_beats(draw, f, config, scene.config);
+  const int words = draw_words(draw, scene.config);
   const int footprints = has_two_footprints(draw, f) ? 2 : 1;
   const int groups = (words + tmus - 1) / tmus;
   ASSERT_EQ(beats.size(), static_cast<std::size_t>(groups * footprints) << f.probes_log2);
@@ -124,7 +126,8 @@ TEST(SplitBeat, SplitsExactlyWhatDoesNotFitTheBanksIntoPartsThatDo) {
     const UnitScene scene = maker.scene();
     for (int n = 0; n < 100; ++n) {
       const UnitFragment f = maker.fragment(scene);
-      for (const Beat& beat : fragment_beats(scene.state.draws[f.draw], f, UnitConfig{})) {
+      for (const Beat& beat :
+           fragment_beats(scene.state.draws[f.draw], f, UnitConfig{}, scene.config)) {
         const std::vector<Beat> parts = split_beat(beat);
         ++parts_seen[parts.size()];
         ASSERT_EQ(parts.size() == 1, fits_the_banks(beat)) << tests::describe(f);

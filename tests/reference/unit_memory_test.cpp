@@ -27,19 +27,22 @@ std::uint32_t expected_word(const UnitScene& scene, std::size_t d, bool color, i
   };
   const auto bytes = [](auto a, auto b, auto c, auto e) { return a | b << 8 | c << 16 | e << 24; };
   if (color) return bytes(stored(22), stored(23), stored(24), stored(25));
-  const int bits = std::max(8, scene.config.coef_bits);
-  if (plane >= map_planes(draw.format)) {
-    const int n = 26 + 3 * (plane - map_planes(draw.format));
-    return stored(n) | stored(n + 1) << bits | stored(n + 2) << 2 * bits;
-  }
+  const int bits = std::max(8, scene.config.coef_bits), a_word = bits > 10 ? 2 : 3;
+  const auto coefficients = [&](int n) {
+    std::uint32_t word = 0;
+    for (int k = 0; k < a_word; ++k) word |= stored(n + k) << (k * bits);
+    return word;
+  };
+  const int own = map_planes(draw.format, scene.config);
+  if (plane >= own) return coefficients(26 + a_word * (plane - own));
   const auto l = static_cast<std::size_t>(level);
   const auto& source = scene.sources[d];
   switch (draw.format) {
     case TextureFormat::lrgb:
-      if (plane == 2) return bytes(stored(18), stored(19), stored(20), stored(21));
+      if (plane == 6 / a_word) return bytes(stored(18), stored(19), stored(20), stored(21));
       [[fallthrough]];
     case TextureFormat::rgb:
-      return stored(3 * plane) | stored(3 * plane + 1) << bits | stored(3 * plane + 2) << 2 * bits;
+      return coefficients(a_word * plane);
     default: {
       const auto& map = source.palette_map[l];
       const std::uint32_t index = map.index[static_cast<std::size_t>(j * map.width + i)];
@@ -54,7 +57,7 @@ void expect_texture(const UnitScene& scene, std::size_t d, bool color,
                     std::set<std::pair<std::uint32_t, unsigned>>& taken) {
   const Draw& draw = scene.state.draws[d];
   const TextureLevels& texture = color ? draw.color_texture : draw.map;
-  const int planes = color ? 1 : map_planes(draw.format) + 2 * draw.effects.sets;
+  const int planes = color ? 1 : array_planes(draw, scene.config);
   for (int level = 0; level < texture.levels; ++level) {
     const std::uint32_t base = texture.base[static_cast<std::size_t>(level)];
     const std::uint64_t end = base + level_lines(texture, planes, level);
@@ -80,7 +83,7 @@ TEST(UnitMemory, HoldsEveryTexelOfEveryLevelOnceWhereTheAddressSays) {
     std::set<std::pair<std::uint32_t, unsigned>> taken;
     for (std::size_t d = 0; d < scene.state.draws.size(); ++d) {
       const Draw& draw = scene.state.draws[d];
-      ASSERT_EQ(check_draw(draw, scene.state.memory.size(), scene.unit), 0U);
+      ASSERT_EQ(check_draw(draw, scene.state.memory.size(), scene.unit, scene.config), 0U);
       if (draw.format != TextureFormat::none) expect_texture(scene, d, false, taken);
       if (draw.color) expect_texture(scene, d, true, taken);
     }
@@ -138,8 +141,9 @@ TEST(UnitMemory, RefusesWhatDoesNotFitInOneSentenceAndStaysAsItWas) {
   map = plain_map(2, 2);
   map.color.pop_back();
   EXPECT_EQ(append({map}), "colours of a level = 11, expected 12");
-  EXPECT_EQ(append({plain_map(2, 2)}, {.coef_bits = 11}),
-            "coef_bits (three coefficients share a word) = 11, expected at most 10");
+  map = plain_map(2, 2);
+  map.coef[5] = 2048;
+  EXPECT_EQ(append({map}, {.coef_bits = 11}), "a coefficient = 2048, expected at most 2047");
   StoredTexture other{1, 1, true, std::vector<std::uint16_t>(18), {}, {}, {}};
   EXPECT_EQ(append({plain_map(2, 2), other}), "rgb of a level = 1, expected 0");
   const StoredPaletteMap indices{1, 1, false, {256}, {1, 2, 3}};
@@ -156,8 +160,8 @@ TEST(UnitPalettes, HoldTheEntriesInTheirOwnPaletteAndZeroBeyondThem) {
   append_lrgb_palette(kBase, std::vector<std::uint16_t>{1, 2, 3, 4, 5, 6}, 2, palettes);
   ASSERT_EQ(palettes.lrgb.size(), 3 * kLrgbEntries);
   for (std::size_t e = 0; e < palettes.lrgb.size(); ++e) {
-    const std::array<std::uint32_t, 2> first{0x030201, 0x060504};
-    EXPECT_EQ(palettes.lrgb[e], e == 512 ? first : (std::array<std::uint32_t, 2>{}));
+    const std::array<std::uint64_t, 2> first{0x030201, 0x060504};
+    EXPECT_EQ(palettes.lrgb[e], e == 512 ? first : (std::array<std::uint64_t, 2>{}));
   }
   std::vector<std::uint16_t> rgb(36);
   for (std::size_t n = 0; n < rgb.size(); ++n) rgb[n] = static_cast<std::uint16_t>(n);
@@ -165,7 +169,7 @@ TEST(UnitPalettes, HoldTheEntriesInTheirOwnPaletteAndZeroBeyondThem) {
   ASSERT_EQ(palettes.rgb.size(), kRgbEntries);
   EXPECT_EQ(palettes.rgb[1][0], 18U | 19U << 10 | 20U << 20);
   EXPECT_EQ(palettes.rgb[1][5], 33U | 34U << 10 | 35U << 20);
-  EXPECT_EQ(palettes.rgb[2], (std::array<std::uint32_t, 6>{}));
+  EXPECT_EQ(palettes.rgb[2], (std::array<std::uint64_t, 6>{}));
 }
 
 TEST(UnitPalettes, RefuseTooManyOrTooLargeEntries) {

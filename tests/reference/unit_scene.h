@@ -166,9 +166,7 @@ class UnitSceneMaker {
     if (in(0, 1) != 0) {
       return reference::kPresets[static_cast<std::size_t>(in(0, 2))].config;
     }
-    reference::EvalConfig c = random_config(rng_);
-    c.coef_bits = std::min(c.coef_bits, 10);
-    return c;
+    return random_config(rng_);
   }
 
   int side() {
@@ -231,8 +229,8 @@ class UnitSceneMaker {
   }
 
   /// Alpha is a byte that the maker of maps leaves at 255; the unit filters whatever is there.
-  void add_alpha(const reference::TextureLevels& at, int planes, DrawSource& source,
-                 std::vector<reference::Line>& memory) {
+  void add_alpha(const reference::TextureLevels& at, std::size_t planes, std::size_t plane,
+                 DrawSource& source, std::vector<reference::Line>& memory) {
     for (std::size_t l = 0; l < source.map.size(); ++l) {
       const auto width = static_cast<std::size_t>(source.map[l].width);
       std::vector<std::uint8_t> alpha(width * static_cast<std::size_t>(source.map[l].height));
@@ -240,7 +238,7 @@ class UnitSceneMaker {
       for (std::size_t k = 0; k < alpha.size(); ++k) {
         const std::size_t x = k % width, y = k / width;
         const std::size_t tile = (y / 4) * ((width + 3) / 4) + x / 4;
-        const std::size_t line = at.base[l] + tile * static_cast<std::size_t>(planes) + 2;
+        const std::size_t line = at.base[l] + tile * planes + plane;
         std::uint32_t& word = memory[line][y % 4 * 4 + x % 4];
         word = (word & 0xFFFFFFU) | static_cast<std::uint32_t>(alpha[k]) << 24;
       }
@@ -261,7 +259,10 @@ class UnitSceneMaker {
     });
     fill_sets(out, draw, source.map, source);
     draw.map = append_map(out.config, source.map, source.sets, out.state.memory);
-    if (!rgb) add_alpha(draw.map, 3 + 2 * draw.effects.sets, source, out.state.memory);
+    if (rgb) return;
+    const auto colour = static_cast<std::size_t>(map_planes(draw.format, out.config) - 1);
+    const auto planes = static_cast<std::size_t>(array_planes(draw, out.config));
+    add_alpha(draw.map, planes, colour, source, out.state.memory);
   }
 
   void add_palette_map(UnitScene& out, reference::Draw& draw, DrawSource& source) {

@@ -127,6 +127,43 @@ TEST(UnitShade, IsBlackWhereTheLightIsBehindTheSurfaceWhateverTheShifts) {
   EXPECT_NE(shade(kBase, state, f).rgb, (std::array<std::uint8_t, 3>{}));
 }
 
+/// A scene's textures and palettes in the words of another width.
+UnitState stored_as(const UnitScene& scene, const EvalConfig& config) {
+  UnitState state;
+  state.draws = scene.state.draws;
+  for (int p = 0; p < 4; ++p) {
+    append_lrgb_palette(config, scene.lrgb_palettes[static_cast<std::size_t>(p)], p,
+                        state.palettes);
+  }
+  set_rgb_palette(config, scene.rgb_palette, state.palettes);
+  for (std::size_t d = 0; d < state.draws.size(); ++d) {
+    const tests::DrawSource& source = scene.sources[d];
+    Draw& draw = state.draws[d];
+    if (!source.map.empty()) draw.map = append_map(config, source.map, state.memory);
+    if (!source.palette_map.empty())
+      draw.map = append_palette_map(source.palette_map, state.memory);
+    if (draw.color) draw.color_texture = append_picture(source.color, state.memory);
+  }
+  return state;
+}
+
+TEST(UnitShade, IsTheSameWhereTheSameIntegersLieTwoAWordInsteadOfThree) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    UnitSceneMaker maker(seed);
+    EvalConfig narrow = kBase;
+    narrow.coef_bits = seed % 2 == 0 ? 8 : 10;
+    EvalConfig wide = narrow;
+    wide.coef_bits = seed % 3 == 0 ? 11 : 12;
+    const UnitScene scene = maker.scene(narrow);
+    const UnitState three = stored_as(scene, narrow), two = stored_as(scene, wide);
+    for (int n = 0; n < 50; ++n) {
+      const UnitFragment f = maker.fragment(scene);
+      ASSERT_EQ(shade(wide, two, f), shade(narrow, three, f))
+          << "seed " << seed << ": " << tests::describe(f);
+    }
+  }
+}
+
 TEST(UnitShade, OfAPictureAloneIsThePictureAndItsAlphaWithNoFlagSet) {
   UnitState state;
   const StoredPicture picture{2, 1, {10, 20, 30, 40, 50, 60, 70, 80}};

@@ -59,28 +59,59 @@ Draw decode(Registers& r, unsigned d) {
   return draw;
 }
 
-TEST(RegisterWrites, BringAUnitToTheStateTheyWereMadeFrom) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const UnitScene scene = UnitSceneMaker(seed).scene();
-    const std::vector<RegisterWrite> writes = register_writes(scene.state);
-    Registers registers;
-    for (const RegisterWrite& w : writes) {
-      ASSERT_TRUE(registers.emplace(w.address, w.data).second) << "written twice: " << w.address;
+/// Expects the writes of a scene, and nothing else, to bring a unit to its state.
+void expect_state(const UnitScene& scene) {
+  const std::vector<RegisterWrite> writes = register_writes(scene.state);
+  Registers registers;
+  std::map<unsigned, std::uint64_t> palettes;  // with the upper bits that stood at a word's write
+  std::uint64_t upper = 0;
+  for (const RegisterWrite& w : writes) {
+    if (w.address == 0x1005) {
+      EXPECT_GT(scene.config.coef_bits, 10) << "the register is not there";
+      EXPECT_LT(w.data, 16U);
+      upper = w.data;
+      continue;
     }
-    EXPECT_EQ(registers.at(0x1001), scene.state.memory.size());
-    for (unsigned e = 0; e < 1024; ++e) {
-      for (unsigned w = 0; w < 2; ++w) {
-        EXPECT_EQ(registers.at(0x4000 + 2 * e + w), scene.state.palettes.lrgb[e][w]);
-      }
-    }
-    for (unsigned e = 0; e < 4096; ++e) {
-      for (unsigned w = 0; w < 6; ++w) {
-        EXPECT_EQ(registers.at(0x8000 + 8 * e + w), scene.state.palettes.rgb[e][w]);
-      }
-    }
-    for (unsigned d = 0; d < 4; ++d) EXPECT_EQ(decode(registers, d), scene.state.draws[d]);
-    EXPECT_EQ(registers.size(), 1U + 1024 * 2 + 4096 * 6 + 4 * (1 + 3 + 6 + 1 + 26));
+    if (w.address >= 0x4000) palettes[w.address] = upper << 32 | w.data;
+    ASSERT_TRUE(registers.emplace(w.address, w.data).second) << "written twice: " << w.address;
   }
+  EXPECT_EQ(upper, 0U) << "the next state begins as after reset";
+  EXPECT_EQ(registers.at(0x1001), scene.state.memory.size());
+  // Three coefficients a word, whatever their width, the first in the low bits.
+  const unsigned bits = static_cast<unsigned>(std::max(8, scene.config.coef_bits));
+  const auto word = [&](const std::vector<std::uint16_t>& coef, std::size_t n) {
+    const auto at = [&](std::size_t k) { return std::uint64_t{coef[3 * n + k]}; };
+    return at(0) | at(1) << bits | at(2) << (2 * bits);
+  };
+  for (unsigned e = 0; e < 1024; ++e) {
+    for (unsigned w = 0; w < 2; ++w) {
+      ASSERT_EQ(palettes.at(0x4000 + 2 * e + w),
+                word(scene.lrgb_palettes[e / 256], 2 * (e % 256) + w));
+    }
+  }
+  for (unsigned e = 0; e < 4096; ++e) {
+    for (unsigned w = 0; w < 6; ++w) {
+      ASSERT_EQ(palettes.at(0x8000 + 8 * e + w), word(scene.rgb_palette, 6 * e + w));
+    }
+  }
+  for (unsigned d = 0; d < 4; ++d) EXPECT_EQ(decode(registers, d), scene.state.draws[d]);
+  EXPECT_EQ(registers.size(), 1U + 1024 * 2 + 4096 * 6 + 4 * (1 + 3 + 6 + 1 + 26));
+}
+
+TEST(RegisterWrites, BringAUnitToTheStateTheyWereMadeFrom) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) expect_state(UnitSceneMaker(seed).scene());
+  for (const int coef_bits : {8, 10, 11, 12}) {
+    EvalConfig config;
+    config.coef_bits = coef_bits;
+    expect_state(UnitSceneMaker(7).scene(config));
+  }
+}
+
+TEST(RegisterWrites, RefuseAPalettesWordOfMoreThan36Bits) {
+  UnitState state;
+  state.palettes.lrgb = {{std::uint64_t{1} << 36, 0}};
+  EXPECT_EQ(tests::refusal([&] { (void)register_writes(state); }),
+            "bits of a palette's word above 31 = 16, expected 0 to 15");
 }
 
 TEST(RegisterWrites, TellADrawsControlLastAndAfterTheMemorysSize) {

@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
     Builds, RtlLintBack,
     testing::Values("-GTmus=1 -GPaletteLrgbPorts=1 -GPaletteRgbPorts=2",
                     "-GTmus=2 -GPaletteLrgbPorts=2 -GPaletteRgbPorts=4 -GCoefBits=5 -GDeltaBits=6",
-                    "-GTmus=3 -GCoefBits=10 -GDeltaBits=11 -GFilterFrac=4 -GRoundNearest=0"),
+                    "-GTmus=3 -GCoefBits=12 -GDeltaBits=13 -GFilterFrac=4 -GRoundNearest=0"),
     [](const auto& tested) { return "Tmus" + std::to_string(tested.index + 1); });
 
 TEST(RtlLintRegisters, TheUnitsRegistersAreClean) {

@@ -139,8 +139,8 @@ INSTANTIATE_TEST_SUITE_P(Sets, EvaluatorParameters, testing::ValuesIn(kEvaluator
 
 const Set kUnit[] = {
     {"", ""},
-    {"CoefBits=10", ""},
-    {"CoefBits=11", "CoefBits_above_10_in_a_unit"},
+    {"CoefBits=12", ""},
+    {"CoefBits=13", "CoefBits_not_4_to_12"},
     {"CoefBits=3", "CoefBits_not_4_to_12"},
     {"DeltaBits=14", "DeltaBits_not_5_to_13"},
     {"LightInt=4", "LightInt_not_1_to_3"},
@@ -178,7 +178,7 @@ const Set kUnit[] = {
     {"MissFifo=7 Tmus=2", "MissFifo_not_4_times_Tmus_to_256"},
     {"MissFifo=3 Tmus=1", "MissFifo_not_4_times_Tmus_to_256"},
     {"MissFifo=257", "MissFifo_not_4_times_Tmus_to_256"},
-    {"MissFifo=300 Ways=3 CoefBits=11", "CoefBits_above_10_in_a_unit"},  // the first of three
+    {"MissFifo=300 Ways=3 CoefBits=13", "CoefBits_not_4_to_12"},  // the first of three
     {"PaletteLrgbPorts=1", ""},
     {"PaletteLrgbPorts=3", "PaletteLrgbPorts_not_1_2_or_4"},
     {"PaletteLrgbPorts=0", "PaletteLrgbPorts_not_1_2_or_4"},

@@ -1,6 +1,8 @@
 // A unit that is as large as it may be: 64 KiB of four ways a TMU, a fragment FIFO of 1,024 beats,
-// a ring of 256 lines, filtered fields with four fraction bits. docs/spec/unit-timing.md,
-// Parameters.
+// a ring of 256 lines, filtered fields with four fraction bits, coefficients of twelve bits, of
+// which a word holds two. docs/spec/unit-timing.md, Parameters; docs/spec/unit.md, Words.
+#include <set>
+
 #include "model/reference/unit/register_map.h"
 #include "tests/rtl/large_units.h"
 
@@ -19,6 +21,89 @@ TEST_P(RtlLargeUnitExact, HasTheCycleAndTheValueOfEveryPixelAndEveryCounterOfFra
 
 INSTANTIATE_TEST_SUITE_P(Conditions, RtlLargeUnitExact, testing::ValuesIn(kFillingConditions),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+/// Formats of the scenes below by seed: so every one is drawn, with a colour texture and without.
+class RtlWideCoefficients : public testing::TestWithParam<std::uint64_t> {};
+
+/// Random fragments, of each draw.
+std::vector<reference::UnitFragment> of_all_draws(UnitSceneMaker& make, const UnitScene& scene) {
+  auto fragments = random_fragments(make, scene, 800);
+  for (std::size_t n = 0; n < fragments.size(); ++n) {
+    fragments[n].draw = static_cast<std::uint8_t>(n / 50 % scene.state.draws.size());
+  }
+  return fragments;
+}
+
+TEST_P(RtlWideCoefficients, HaveTheCycleAndTheValueOfEveryPixelAndEveryCounter) {
+  UnitSceneMaker make(GetParam());
+  const UnitScene scene = make.scene(kLarge.config);
+  const auto fragments = of_all_draws(make, scene);
+  expect_same_frames(kLarge,
+                     {"Random",
+                      pipeline::RandomMemory{.seed = 3, .latency_max = 60},
+                      {.seed = 3, .input_gap = 0.2, .output_stall = 0.2}},
+                     scene, fragments);
+}
+
+constexpr std::array<std::uint64_t, 4> kSeeds{1, 2, 3, 4};
+INSTANTIATE_TEST_SUITE_P(Scenes, RtlWideCoefficients, testing::ValuesIn(kSeeds));
+
+TEST(RtlWideCoefficientsScenes, DrawEveryFormatWithAndWithoutAColourTexture) {
+  std::set<std::pair<reference::TextureFormat, bool>> drawn;
+  for (const std::uint64_t seed : kSeeds) {
+    UnitSceneMaker make(seed);
+    for (const auto& draw : make.scene(kLarge.config).state.draws) {
+      drawn.emplace(draw.format, draw.color);
+    }
+  }
+  EXPECT_EQ(drawn.size(), 9U) << "four formats of maps twice, and none";
+}
+
+TEST(RtlWideCoefficientsPort, KeepsTheUpperBitsOfAPalettesWordsWhileNoFragmentIsInside) {
+  namespace registers = reference::registers;
+  namespace events = reference::events;
+  UnitSceneMaker make(2);
+  const UnitScene scene = make.scene(kLarge.config);
+  const auto unit = kLarge.make();
+  unit->reset(true);
+  EXPECT_EQ(unit->read(registers::kPaletteUpper), 0U);
+  unit->write(registers::kPaletteUpper, 0xfffffff5);
+  EXPECT_EQ(unit->read(registers::kPaletteUpper), 5U);
+  unit->load(scene.state);
+  EXPECT_EQ(unit->read(registers::kPaletteUpper), 0U);
+  EXPECT_EQ(unit->read(registers::kEvents), 0U);
+  testbench::RtlUnitPins pins{.valid = true, .fragment = make.fragment(scene)};
+  pins.write = reference::RegisterWrite{registers::kPaletteUpper, 9};
+  ASSERT_TRUE(unit->cycle(pins).ready);
+  EXPECT_EQ(unit->read(registers::kPaletteUpper), 0U);
+  EXPECT_EQ(unit->read(registers::kEvents), events::kRefused);
+  unit->reset(true);
+  EXPECT_EQ(unit->read(registers::kPaletteUpper), 0U);
+}
+
+TEST(RtlWideCoefficientsPort, ChecksTheLinesOfEveryPlaneOfADraw) {
+  const auto unit = kLarge.make();
+  unit->reset(true);
+  struct Case {
+    reference::TextureFormat format;
+    std::uint32_t planes;
+  };
+  for (const Case& c :
+       {Case{reference::TextureFormat::lrgb, 4}, Case{reference::TextureFormat::rgb, 9},
+        Case{reference::TextureFormat::palette_lrgb, 1},
+        Case{reference::TextureFormat::palette_rgb, 1}}) {
+    reference::Draw draw;
+    draw.format = c.format;
+    draw.map = {9, 5, 1, {100}};  // three tiles across, two down
+    for (const bool fits : {false, true}) {
+      unit->write(reference::registers::kMemoryLines, 100 + 6 * c.planes - (fits ? 0 : 1));
+      for (const auto& write : register_writes(draw, 1)) unit->write(write.address, write.data);
+      for (int cycle = 0; cycle < 40; ++cycle) (void)unit->cycle({});
+      EXPECT_EQ(unit->read(reference::registers::kErrors), fits ? 0U : 4U << 8)
+          << "format " << static_cast<int>(c.format);
+    }
+  }
+}
 
 TEST(RtlLargeUnit, IsBuiltAsItIsCalled) {
   const auto unit = kLarge.make();

@@ -52,7 +52,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Built{"OneSet", "-GCacheKib=1 -GWays=4 -GFragmentFifo=4 -GPaletteLrgbPorts=1"},
                     Built{"Large",
                           "-GCacheKib=64 -GWays=4 -GFragmentFifo=1024 -GMissFifo=256 "
-                          "-GPaletteRgbPorts=4 -GCoefBits=10 -GFilterFrac=4"},
+                          "-GPaletteRgbPorts=4 -GCoefBits=12 -GFilterFrac=4"},
+                    Built{"WideEffectsOneTmu",
+                          "-GHalfVector=1 -GExtraSets=4 -GExtraPasses=4 -GStages=7 -GTmus=1 "
+                          "-GCoefBits=11 -GDeltaBits=12"},
                     Built{"LargeDirectMapped", "-GCacheKib=64 -GWays=1"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
@@ -73,13 +76,15 @@ TEST_P(RtlUnitSources, AreReadByYosysWithEveryModuleFound) {
 
 INSTANTIATE_TEST_SUITE_P(
     Parameters, RtlUnitSources,
-    testing::Values(Built{"Default", ""},
-                    Built{"Effects",
-                          "; chparam -set HalfVector 1 -set ExtraSets 4 -set ExtraPasses 4 "
-                          "-set Stages 7 -set Tmus 1 -set EvalLanes 3 -set LumFrac 4 ptm_unit"},
-                    Built{"NoCounters", "; chparam -set Counters 0 -set DuplicateLines 0 ptm_unit"},
-                    Built{"Specular",
-                          "; chparam -set HalfVector 1 -set ExtraPasses 1 -set Stages 5 ptm_unit"}),
+    testing::Values(
+        Built{"Default", ""},
+        Built{"Effects",
+              "; chparam -set HalfVector 1 -set ExtraSets 4 -set ExtraPasses 4 "
+              "-set Stages 7 -set Tmus 1 -set EvalLanes 3 -set LumFrac 4 ptm_unit"},
+        Built{"NoCounters", "; chparam -set Counters 0 -set DuplicateLines 0 ptm_unit"},
+        Built{"WideSets",
+              "; chparam -set CoefBits 12 -set ExtraSets 2 -set ExtraPasses 2 ptm_unit"},
+        Built{"Specular", "; chparam -set HalfVector 1 -set ExtraPasses 1 -set Stages 5 ptm_unit"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace

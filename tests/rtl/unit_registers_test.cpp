@@ -85,7 +85,8 @@ TEST_P(RtlUnitPort, ReadsBackWhatWasWrittenWhereSomethingIsStoredAndZeroElsewher
     expect_reads(*unit_, [&](unsigned address) -> std::optional<std::uint32_t> {
       if (address == registers::kErrors || address == registers::kEvents) return std::nullopt;
       if (const auto said = identity(address, GetParam())) return said;
-      return data[address] & stored_bits(static_cast<std::uint16_t>(address), GetParam().unit);
+      return data[address] &
+             stored_bits(static_cast<std::uint16_t>(address), GetParam().unit, GetParam().config);
     });
   }
 }
@@ -185,7 +186,8 @@ TEST_P(RtlUnitPort, IgnoresWritesOfWhatFragmentsReadWhileTheyAreInsideAndSaysSo)
   const auto read_all = [this] {
     std::vector<std::uint32_t> values;
     for (unsigned address = 0; address < registers::kTables; ++address) {
-      if (stored_bits(static_cast<std::uint16_t>(address), GetParam().unit) == 0) continue;
+      if (stored_bits(static_cast<std::uint16_t>(address), GetParam().unit, GetParam().config) == 0)
+        continue;
       values.push_back(unit_->read(static_cast<std::uint16_t>(address)));
     }
     return values;
@@ -215,6 +217,18 @@ TEST_P(RtlUnitPort, IgnoresWritesOfWhatFragmentsReadWhileTheyAreInsideAndSaysSo)
   unit_->write(5, 0x00150123);
   EXPECT_EQ(unit_->read(5), 0x00150123U);
   EXPECT_EQ(unit_->read(registers::kEvents), 0U);
+}
+
+TEST_P(RtlUnitPort, HasNoUpperBitsOfPalettesWhereThreeCoefficientsFitAWrite) {
+  UnitSceneMaker make(32);
+  const UnitScene scene = make.scene(GetParam().config, GetParam().unit);
+  ASSERT_LE(GetParam().config.coef_bits, 10);
+  unit_->load(scene.state);
+  RtlUnitPins pins{.valid = true, .fragment = make.fragment(scene)};
+  pins.write = reference::RegisterWrite{registers::kPaletteUpper, 9};
+  ASSERT_TRUE(unit_->cycle(pins).ready);
+  EXPECT_EQ(unit_->read(registers::kPaletteUpper), 0U);
+  EXPECT_EQ(unit_->read(registers::kEvents), 0U) << "an address that holds nothing refuses nothing";
 }
 
 /// The event and the enable register as the page describes them, stepped beside the unit.

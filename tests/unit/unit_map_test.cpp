@@ -95,6 +95,27 @@ TEST(UnitMapLevels, AreMeansOnTheOneGridOfTheMap) {
   }
 }
 
+TEST(UnitMapLevels, FillTheRangeOfWiderCoefficientsAndComeNearerToTheMap) {
+  golden::PtmMap file = tests::small_map(MapKind::lrgb, 8, 8);
+  RealTexture texture = real_texture(file);
+  texture.file.reset();  // quantised, not taken as it is
+  double before = 0;
+  for (const int coef_bits : {8, 10, 11, 12}) {
+    reference::EvalConfig config;
+    config.coef_bits = coef_bits;
+    config.delta_bits = coef_bits + 1;
+    const UnitMap map = store_unit_map(texture, 1, config, Strength::stays);
+    const auto greatest = *std::max_element(map.levels[0].coef.begin(), map.levels[0].coef.end());
+    EXPECT_LT(greatest, 1U << coef_bits);
+    EXPECT_GE(greatest, 1U << (coef_bits - 1)) << "a bit would be unused";
+    std::vector<reference::Line> memory;
+    EXPECT_NO_THROW(append_map(config, map.levels, memory)) << coef_bits;
+    EXPECT_EQ(memory.size(), 4U * (coef_bits > 10 ? 4 : 3)) << "2 x 2 tiles";
+    if (before > 0) EXPECT_LT(map.rms_error, before) << coef_bits;
+    before = map.rms_error;
+  }
+}
+
 TEST(UnitMapLevels, AreNoMoreThanAskedFor) {
   const RealTexture texture = real_texture(tests::small_map(MapKind::lrgb, 8, 8));
   EXPECT_EQ(store_unit_map(texture, 1, reference::kBase).levels.size(), 1U);

@@ -1,6 +1,7 @@
 #include "model/pipeline/unit/draw_plan.h"
 
 #include "model/reference/effects/stages.h"
+#include "model/reference/unit/texel_fields.h"
 
 namespace ptm::pipeline {
 namespace {
@@ -21,35 +22,18 @@ TexturePlan plan_texture(const TextureLevels& levels, int texture, int planes) {
   return plan;
 }
 
-constexpr std::size_t index_of(contract::WordKind kind) { return static_cast<std::size_t>(kind); }
-
-/// Fields that are filtered of a word.
-unsigned fields_of(TextureFormat format, const WordPlan& word) {
-  if (word.texture == 1) return contract::kWordFields[index_of(contract::WordKind::color)];
-  const auto kind = word.plane < static_cast<unsigned>(reference::map_planes(format))
-                        ? reference::format_row(format).word[word.plane].kind
-                        : contract::WordKind::coefficients;  // a set's
-  return contract::kWordFields[index_of(kind)];
-}
-
-/// The map's own planes, the colour texture, the planes of sets.
-WordPlan plan_word(const Draw& draw, unsigned word) {
-  const auto map_words = static_cast<unsigned>(reference::map_planes(draw.format));
-  if (word < map_words) return {0, word};
-  if (draw.color && word == map_words) return {1, 0};
-  return {0, word - (draw.color ? 1 : 0)};
-}
-
-void plan_beats(DrawPlan& plan, unsigned tmus) {
-  const auto words = static_cast<unsigned>(reference::draw_words(plan.draw));
+void plan_beats(DrawPlan& plan, const reference::EvalConfig& eval, unsigned tmus) {
+  const auto words = static_cast<unsigned>(reference::draw_words(plan.draw, eval));
   plan.beats = (words + tmus - 1) / tmus;
   for (unsigned w = 0; w < words; ++w) {
     BeatPlan& beat = plan.beat[w / tmus];
-    const WordPlan word = plan_word(plan.draw, w);
+    const reference::WordUse use = reference::word_use(plan.draw, eval, static_cast<int>(w));
+    const WordPlan word{static_cast<std::uint32_t>(use.texture),
+                        static_cast<std::uint32_t>(use.plane)};
     beat.word[beat.words++] = word;
     plan.readers[word.texture][plan.words_of[word.texture]++] = {w % tmus, word.plane};
     ++beat.words_of[word.texture];
-    beat.filter_fields[word.texture] += fields_of(plan.draw.format, word);
+    beat.filter_fields[word.texture] += use.fields;
   }
   for (unsigned b = 0; b < plan.beats; ++b) {
     BeatPlan& beat = plan.beat[b];
@@ -68,10 +52,11 @@ DrawPlan plan_draw(const Draw& draw, const reference::UnitConfig& unit,
   DrawPlan plan;
   plan.draw = draw;
   if (draw.format != TextureFormat::none) {
-    plan.texture[plan.texture_count++] = plan_texture(draw.map, 0, reference::array_planes(draw));
+    plan.texture[plan.texture_count++] =
+        plan_texture(draw.map, 0, reference::array_planes(draw, eval));
   }
   if (draw.color) plan.texture[plan.texture_count++] = plan_texture(draw.color_texture, 1, 1);
-  plan_beats(plan, static_cast<unsigned>(unit.tmus));
+  plan_beats(plan, eval, static_cast<unsigned>(unit.tmus));
   const auto lanes = static_cast<unsigned>(unit.eval_lanes);
   const auto passes = static_cast<unsigned>(reference::draw_passes(draw));
   plan.passes = (passes + lanes - 1) / lanes;

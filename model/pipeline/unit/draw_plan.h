@@ -10,7 +10,8 @@
 namespace ptm::pipeline {
 
 inline constexpr int kTmusMax = 3;
-inline constexpr int kDrawWordsMax = 15;
+/// Of an RGB map of more than 10 bits a coefficient, with a colour texture and four sets.
+inline constexpr int kDrawWordsMax = 22;
 
 struct LevelPlan {
   int width = 1, height = 1;
@@ -62,7 +63,7 @@ struct DrawPlan {
   unsigned eval_multiplies = 0, combine_multiplies = 0, effect_multiplies = 0;
 };
 
-/// Only the multiplies of effects look at the evaluator's configuration.
+/// Words and the multiplies of effects depend on the evaluator's configuration.
 [[nodiscard]] DrawPlan plan_draw(const reference::Draw& draw, const reference::UnitConfig& unit,
                                  const reference::EvalConfig& eval);
 [[nodiscard]] std::vector<DrawPlan> plan_draws(const std::vector<reference::Draw>& draws,

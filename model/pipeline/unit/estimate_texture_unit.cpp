@@ -20,8 +20,9 @@ constexpr double kSaved = 32;
 class LooseUnit {
  public:
   LooseUnit(const reference::UnitConfig& unit, const reference::UnitState& state,
-            const MemoryModel& memory, int tile, const StreamTiming& timing)
-      : draws_(plan_draws(state.draws, unit, {})),
+            const MemoryModel& memory, int tile, const StreamTiming& timing,
+            const reference::EvalConfig& eval)
+      : draws_(plan_draws(state.draws, unit, eval)),
         tmus_(static_cast<std::size_t>(unit.tmus)),
         tile_(static_cast<std::size_t>(tile)),
         chain_(effects::chain_registers(unit.stages)),
@@ -242,9 +243,9 @@ class LooseUnit {
 
 UnitEstimate estimate_texture_unit(const reference::UnitConfig& unit,
                                    const reference::UnitState& state, const UnitFrame& frame,
-                                   const MemoryModel& memory, int tile,
-                                   const StreamTiming& timing) {
-  return LooseUnit(unit, state, memory, tile, timing).run(frame.fragments);
+                                   const MemoryModel& memory, int tile, const StreamTiming& timing,
+                                   const reference::EvalConfig& eval) {
+  return LooseUnit(unit, state, memory, tile, timing, eval).run(frame.fragments);
 }
 
 }  // namespace ptm::pipeline

@@ -67,13 +67,14 @@ std::uint64_t level_lines(const TextureLevels& texture, int planes, int level) {
          static_cast<std::uint64_t>(planes);
 }
 
-unsigned check_draw(const Draw& draw, std::uint64_t memory_lines, const UnitConfig& unit) {
+unsigned check_draw(const Draw& draw, std::uint64_t memory_lines, const UnitConfig& unit,
+                    const EvalConfig& config) {
   const bool map = draw.format != TextureFormat::none;
   unsigned errors = check_control(draw) | check_effects(draw, unit);
   if (map) errors |= check_sizes(draw.map);
   if (draw.color) errors |= check_sizes(draw.color_texture);
   if (errors != 0) return errors;
-  if (map) errors |= check_levels(draw.map, array_planes(draw), memory_lines);
+  if (map) errors |= check_levels(draw.map, array_planes(draw, config), memory_lines);
   if (draw.color) errors |= check_levels(draw.color_texture, 1, memory_lines);
   return errors;
 }

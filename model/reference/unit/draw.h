@@ -70,13 +70,13 @@ struct Draw {
   bool operator==(const Draw&) const = default;
 };
 
-/// Planes of the map's array of lines: its own and two of each extra set.
-[[nodiscard]] constexpr int array_planes(const Draw& draw) {
-  return map_planes(draw.format) + 2 * draw.effects.sets;
+/// Planes of the map's array of lines: its own and those of each extra set, two or three.
+[[nodiscard]] constexpr int array_planes(const Draw& draw, const EvalConfig& config) {
+  return map_planes(draw.format, config) + polynomial_words(config) * draw.effects.sets;
 }
 /// Words of a draw: the map's planes, then the colour texture, then the sets' planes.
-[[nodiscard]] constexpr int draw_words(const Draw& draw) {
-  return array_planes(draw) + (draw.color ? 1 : 0);
+[[nodiscard]] constexpr int draw_words(const Draw& draw, const EvalConfig& config) {
+  return array_planes(draw, config) + (draw.color ? 1 : 0);
 }
 /// Evaluator passes of one fragment that are the map's own.
 [[nodiscard]] constexpr int draw_passes(const Draw& draw) { return format_row(draw.format).passes; }
@@ -101,9 +101,10 @@ struct Draw {
 
 /// Error bits of `unit.md` and `effects.md`, "Legal"; 0 for a draw that a unit built so can draw
 /// from a memory of that size. A texture that the draw has not is not checked; addresses are
-/// checked only if all else is legal. Takes any values. Twin: rtl/ptm_draw_check.sv.
+/// checked only if all else is legal; how many planes a map has depends on the evaluator's
+/// coef_bits. Takes any values. Twin: rtl/ptm_draw_check.sv.
 enum DrawError : unsigned { kBadSize = 1, kBadLevels = 2, kBadAddress = 4, kBadControl = 8 };
 [[nodiscard]] unsigned check_draw(const Draw& draw, std::uint64_t memory_lines,
-                                  const UnitConfig& unit = {});
+                                  const UnitConfig& unit = {}, const EvalConfig& config = {});
 
 }  // namespace ptm::reference

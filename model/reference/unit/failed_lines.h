@@ -7,6 +7,7 @@ namespace ptm::reference {
 /// Whether a fragment fetches a tap of a line that the memory could not read (UnitState::failed):
 /// the pixel's flag, docs/spec/unit.md, "Lines that cannot be read". Requires a legal draw of the
 /// state.
-[[nodiscard]] bool fetches_failed_line(const UnitState& state, const UnitFragment& fragment);
+[[nodiscard]] bool fetches_failed_line(const EvalConfig& config, const UnitState& state,
+                                       const UnitFragment& fragment);
 
 }  // namespace ptm::reference

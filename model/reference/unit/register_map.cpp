@@ -9,7 +9,7 @@ std::array<std::uint32_t, kCapabilityWords> capability_words(const EvalConfig& c
 #include "contract/capability_words.inc"
 }
 
-std::uint32_t stored_bits(std::uint16_t address, const UnitConfig& unit) {
+std::uint32_t stored_bits(std::uint16_t address, const UnitConfig& unit, const EvalConfig& config) {
 #include "contract/stored_bits.inc"
 }
 

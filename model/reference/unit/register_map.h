@@ -44,6 +44,7 @@ using contract::registers::kCapabilityWords;
 
 /// The bits of an address that hold what was written there and read as it: of all other bits and
 /// addresses 0. (What the unit itself writes, as states, events and counters, is not among them.)
-[[nodiscard]] std::uint32_t stored_bits(std::uint16_t address, const UnitConfig& unit);
+[[nodiscard]] std::uint32_t stored_bits(std::uint16_t address, const UnitConfig& unit,
+                                        const EvalConfig& config = {});
 
 }  // namespace ptm::reference

@@ -22,7 +22,7 @@ UnitPixel shade_pixel(const Config& config, const UnitState& state, const UnitFr
     return shade_trace(config, state, fragment).pixel;
   }
   UnitPixel pixel = shading::shade_with<PlainTrace>(config, state, fragment).pixel;
-  pixel.memory_failed = fetches_failed_line(state, fragment);
+  pixel.memory_failed = fetches_failed_line(config, state, fragment);
   return pixel;
 }
 

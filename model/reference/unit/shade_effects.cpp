@@ -53,7 +53,7 @@ ShadeTrace shade_trace(const EvalConfig& config, const UnitState& state,
     auto trace = shading::shade_with<ShadeTrace>(constant, state, fragment);
     evaluate_extra(constant, state.draws[fragment.draw], fragment, trace);
     add_effects(config, state, fragment, trace);
-    trace.pixel.memory_failed = fetches_failed_line(state, fragment);
+    trace.pixel.memory_failed = fetches_failed_line(config, state, fragment);
     return trace;
   });
 }

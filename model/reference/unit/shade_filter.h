@@ -19,8 +19,10 @@ struct Weights {
   Value wu = 0, wv = 0;
 };
 
-/// The four words of a plane, 0 where a tap is not fetched.
-using Words = std::array<std::uint32_t, kTaps>;
+/// The four words of a plane, 0 where a tap is not fetched; of a palette's entries 64 bits each.
+template <class Word>
+using WordsOf = std::array<Word, kTaps>;
+using Words = WordsOf<std::uint32_t>;
 
 /// Where a footprint's taps lie: the first plane's lines, and the word in each.
 struct TapPlaces {
@@ -56,17 +58,17 @@ typename Entries::value_type entry_at(const Entries& entries, std::uint32_t inde
 }
 
 /// U7 of `count` fields of `bits` bits that lie in a word from its lowest bit on, into out.
-template <class Config>
-[[gnu::always_inline]] inline void filter_fields(const Config& constant, const Words& words,
+template <class Config, class Word>
+[[gnu::always_inline]] inline void filter_fields(const Config& constant, const WordsOf<Word>& words,
                                                  const Weights& weights, unsigned count, int bits,
                                                  Value* out) {
   const EvalConfig& config = constant;
-  const std::uint32_t mask = (1U << bits) - 1U;
+  const Word mask = (Word{1} << bits) - 1U;
   for (unsigned k = 0; k < count; ++k) {
     Taps<Value> taps{};
     for (unsigned t = 0; t < kTaps; ++t) {
-      taps[t] = shift_left(Value{words[t] >> (k * static_cast<unsigned>(bits)) & mask},
-                           config.filter_frac);
+      const Word field = words[t] >> (k * static_cast<unsigned>(bits)) & mask;
+      taps[t] = shift_left(static_cast<Value>(field), config.filter_frac);
     }
     out[k] = bilinear(config.rounding, taps, weights.wu, weights.wv);
   }
@@ -82,7 +84,8 @@ void filter_entries(const Config& config, const Entries& entries, std::uint32_t 
   }
   const int bits = field_bits(config);
   for (unsigned w = 0; w < looked_up[0].size(); ++w) {
-    const Words words{looked_up[0][w], looked_up[1][w], looked_up[2][w], looked_up[3][w]};
+    const WordsOf<std::uint64_t> words{looked_up[0][w], looked_up[1][w], looked_up[2][w],
+                                       looked_up[3][w]};
     filter_fields(config, words, weights, 3, bits, out + 3 * w);
   }
 }
@@ -93,7 +96,8 @@ void filter_word(const Config& config, const UnitState& state, const Draw& draw,
                  const Words& words, const Weights& weights, Some& out) {
   switch (use.kind) {
     case WordKind::coefficients:
-      filter_fields(config, words, weights, 3, field_bits(config), &out[use.field]);
+      filter_fields(config, words, weights, static_cast<unsigned>(coefficients_a_word(config)),
+                    field_bits(config), &out[use.field]);
       return;
     case WordKind::color:
       filter_fields(config, words, weights, 4, 8, &out[use.field]);
@@ -125,19 +129,21 @@ template <class Config, class Some>
 void filter_texture(const Config& config, const UnitState& state, const Draw& draw, int texture,
                     const Footprint& footprint, Some& out) {
   const TextureLevels& levels = texture == 0 ? draw.map : draw.color_texture;
-  const int planes = texture == 0 ? map_planes(draw.format) : 1;
-  const int first_word = texture == 0 ? 0 : map_planes(draw.format);
-  const int sets = kHasSets<Some> && texture == 0 ? 2 * draw.effects.sets : 0;
+  const int planes = texture == 0 ? map_planes(draw.format, config) : 1;
+  const int first_word = texture == 0 ? 0 : map_planes(draw.format, config);
+  const int sets =
+      kHasSets<Some> && texture == 0 ? polynomial_words(config) * draw.effects.sets : 0;
   const TapPlaces at = places(levels, planes + sets, footprint);
   const Weights weights{footprint.taps(), footprint.wu, footprint.wv};
   for (int plane = 0; plane < planes; ++plane) {
     const Words words = read_words(state.memory, at, weights.taps, plane);
-    filter_word(config, state, draw, own_word_use(draw, first_word + plane), words, weights, out);
+    filter_word(config, state, draw, own_word_use(draw, config, first_word + plane), words, weights,
+                out);
   }
   if constexpr (kHasSets<Some>) {
     for (int plane = 0; plane < sets; ++plane) {
       const Words words = read_words(state.memory, at, weights.taps, planes + plane);
-      filter_word(config, state, draw, set_word_use(draw, plane), words, weights, out);
+      filter_word(config, state, draw, set_word_use(draw, config, plane), words, weights, out);
     }
   }
 }

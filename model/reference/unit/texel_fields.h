@@ -16,34 +16,35 @@ using contract::WordKind;
 /// A word of a draw.
 struct WordUse {
   WordKind kind = WordKind::coefficients;
-  int texture = 0;     ///< 0 map, 1 colour
-  int plane = 0;       ///< within its texture
-  unsigned field = 0;  ///< of coefficients and colour: the first
-
-  /// How many fields come of it.
-  [[nodiscard]] constexpr unsigned fields() const {
-    return contract::kWordFields[static_cast<std::size_t>(kind)];
-  }
+  int texture = 0;      ///< 0 map, 1 colour
+  int plane = 0;        ///< within its texture
+  unsigned field = 0;   ///< of coefficients and colour: the first
+  unsigned fields = 0;  ///< how many come of it
 };
 
 /// Word 0 .. map_planes of a draw: the map's own planes in order, then the colour texture.
-[[nodiscard]] constexpr WordUse own_word_use(const Draw& draw, int word) {
-  const int planes = map_planes(draw.format);
-  if (word == planes) return {WordKind::color, 1, 0, kColorField};
-  const contract::FormatWord& own = format_row(draw.format).word[static_cast<std::size_t>(word)];
-  return {own.kind, 0, word, own.field};
+[[nodiscard]] constexpr WordUse own_word_use(const Draw& draw, const EvalConfig& config, int word) {
+  const contract::FormatWords& words = format_words(draw.format, config);
+  if (word == words.planes) {
+    constexpr unsigned kBytes = contract::kWordFields[static_cast<std::size_t>(WordKind::color)];
+    return {WordKind::color, 1, 0, kColorField, kBytes};
+  }
+  const contract::FormatWord& own = words.word[static_cast<std::size_t>(word)];
+  return {own.kind, 0, word, own.field, own.fields};
 }
 
-/// Plane 0 .. 2 sets - 1 of a draw's sets.
-[[nodiscard]] constexpr WordUse set_word_use(const Draw& draw, int set_plane) {
-  return {WordKind::coefficients, 0, map_planes(draw.format) + set_plane,
-          kSetField + 3 * static_cast<unsigned>(set_plane)};
+/// Plane 0 .. polynomial_words * sets - 1 of a draw's sets.
+[[nodiscard]] constexpr WordUse set_word_use(const Draw& draw, const EvalConfig& config,
+                                             int set_plane) {
+  const auto fields = static_cast<unsigned>(coefficients_a_word(config));
+  return {WordKind::coefficients, 0, map_planes(draw.format, config) + set_plane,
+          kSetField + fields * static_cast<unsigned>(set_plane), fields};
 }
 
 /// Word 0 .. draw_words - 1: the map's own planes, the colour texture, the sets' planes.
-[[nodiscard]] constexpr WordUse word_use(const Draw& draw, int word) {
-  const int own = map_planes(draw.format) + (draw.color ? 1 : 0);
-  return word < own ? own_word_use(draw, word) : set_word_use(draw, word - own);
+[[nodiscard]] constexpr WordUse word_use(const Draw& draw, const EvalConfig& config, int word) {
+  const int own = map_planes(draw.format, config) + (draw.color ? 1 : 0);
+  return word < own ? own_word_use(draw, config, word) : set_word_use(draw, config, word - own);
 }
 
 }  // namespace ptm::reference

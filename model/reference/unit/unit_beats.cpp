@@ -6,12 +6,13 @@
 namespace ptm::reference {
 namespace {
 
-BeatWord beat_word(const Draw& draw, const UnitFragment& fragment, const Beat& beat, int word) {
+BeatWord beat_word(const Draw& draw, const EvalConfig& eval, const UnitFragment& fragment,
+                   const Beat& beat, int word) {
   BeatWord out;
-  if (word >= draw_words(draw)) return out;
-  const WordUse use = word_use(draw, word);
+  if (word >= draw_words(draw, eval)) return out;
+  const WordUse use = word_use(draw, eval, word);
   const TextureLevels& texture = use.texture == 0 ? draw.map : draw.color_texture;
-  const int planes = use.texture == 0 ? array_planes(draw) : 1;
+  const int planes = use.texture == 0 ? array_planes(draw, eval) : 1;
   const Footprint footprint =
       make_footprint(draw, fragment, use.texture, beat.probe, beat.footprint);
   out.present = true;
@@ -67,10 +68,11 @@ unsigned address_multiplies(const UnitFragment& fragment, const Beat& beat) {
 }
 
 /// multiplies_filter, of one word of a beat before it is split.
-unsigned filter_multiplies(const Draw& draw, const Beat& beat, const BeatWord& word) {
+unsigned filter_multiplies(const Draw& draw, const EvalConfig& eval, const Beat& beat,
+                           const BeatWord& word) {
   if (word.taps == 0) return 0;
   const unsigned a_field = (draw.bilinear ? 3U : 0U) + (beat.footprint == 1 ? 1U : 0U);
-  return a_field * word_use(draw, word.word).fields();
+  return a_field * word_use(draw, eval, word.word).fields;
 }
 
 unsigned combine_multiplies(Combine combine) {
@@ -89,8 +91,8 @@ bool is_palette(const Draw& draw, const BeatWord& word) {
   return word.word == 0 && format_row(draw.format).palette != contract::PaletteKind::none;
 }
 
-void count_beat(const Draw& draw, const UnitFragment& fragment, const Beat& beat,
-                UnitCounters& counters) {
+void count_beat(const Draw& draw, const EvalConfig& eval, const UnitFragment& fragment,
+                const Beat& beat, UnitCounters& counters) {
   const std::size_t parts = split_beat(beat).size();
   counters[UnitCounter::beats] += parts;
   counters[UnitCounter::bank_conflicts] += parts - 1;
@@ -99,7 +101,7 @@ void count_beat(const Draw& draw, const UnitFragment& fragment, const Beat& beat
     if (word.taps == 0) continue;
     counters[UnitCounter::words] += 1;
     counters[UnitCounter::taps] += tap_count(word.taps);
-    counters[UnitCounter::multiplies_filter] += filter_multiplies(draw, beat, word);
+    counters[UnitCounter::multiplies_filter] += filter_multiplies(draw, eval, beat, word);
     if (is_palette(draw, word)) counters[UnitCounter::palette_lookups] += tap_count(word.taps);
   }
 }
@@ -107,9 +109,9 @@ void count_beat(const Draw& draw, const UnitFragment& fragment, const Beat& beat
 }  // namespace
 
 std::vector<Beat> fragment_beats(const Draw& draw, const UnitFragment& fragment,
-                                 const UnitConfig& config) {
+                                 const UnitConfig& config, const EvalConfig& eval) {
   std::vector<Beat> out;
-  const int groups = (draw_words(draw) + config.tmus - 1) / config.tmus;
+  const int groups = (draw_words(draw, eval) + config.tmus - 1) / config.tmus;
   for (int probe = 0; probe < 1 << fragment.probes_log2; ++probe) {
     for (int footprint = 0; footprint < footprint_count(draw, fragment); ++footprint) {
       for (int group = 0; group < groups; ++group) {
@@ -119,7 +121,7 @@ std::vector<Beat> fragment_beats(const Draw& draw, const UnitFragment& fragment,
         beat.group = group;
         for (int t = 0; t < config.tmus; ++t) {
           beat.tmu[static_cast<std::size_t>(t)] =
-              beat_word(draw, fragment, beat, group * config.tmus + t);
+              beat_word(draw, eval, fragment, beat, group * config.tmus + t);
         }
         out.push_back(beat);
       }
@@ -162,8 +164,8 @@ void count_fragment(const Draw& draw, const UnitFragment& fragment, const UnitCo
                     UnitCounters& counters, const EvalConfig& eval) {
   counters[UnitCounter::fragments] += 1;
   counters[UnitCounter::pixels] += 1;
-  for (const Beat& beat : fragment_beats(draw, fragment, config)) {
-    count_beat(draw, fragment, beat, counters);
+  for (const Beat& beat : fragment_beats(draw, fragment, config, eval)) {
+    count_beat(draw, eval, fragment, beat, counters);
   }
   counters[UnitCounter::multiplies_eval] += format_row(draw.format).multiplies;
   counters[UnitCounter::multiplies_eval] += 8 * static_cast<unsigned>(draw.effects.passes);

@@ -53,7 +53,8 @@ struct Beat {
 /// U1 to U6 of a fragment, in order of probe, footprint and group, before seams are split. Requires
 /// a legal draw and configuration.
 [[nodiscard]] std::vector<Beat> fragment_beats(const Draw& draw, const UnitFragment& fragment,
-                                               const UnitConfig& config);
+                                               const UnitConfig& config,
+                                               const EvalConfig& eval = {});
 
 /// The directions in which a beat collides: unit-timing.md, "Seam split".
 struct SeamCollision {
@@ -65,8 +66,8 @@ struct SeamCollision {
 [[nodiscard]] std::vector<Beat> split_beat(const Beat& beat);
 
 /// Adds what a fragment counts whatever the time: fragments, pixels, beats, bank_conflicts, words,
-/// taps, palette_lookups and the multiplies; it leaves the other counters alone. Only the
-/// multiplies of effects look at the evaluator's configuration.
+/// taps, palette_lookups and the multiplies; it leaves the other counters alone. Words and the
+/// multiplies of effects depend on the evaluator's configuration.
 void count_fragment(const Draw& draw, const UnitFragment& fragment, const UnitConfig& config,
                     UnitCounters& counters, const EvalConfig& eval = {});
 

@@ -16,7 +16,7 @@ namespace ptm::reference {
 void validate(const UnitConfig& config);
 
 /// What keeps a unit of these parameters from being built: the first one outside its range, those
-/// of the evaluator first, which in the whole unit may be narrower; nothing if it can be built.
+/// of the evaluator first; nothing if it can be built.
 [[nodiscard]] std::optional<ParameterFault> unit_fault(const EvalConfig& config,
                                                        const UnitConfig& unit);
 

@@ -24,8 +24,6 @@ void require_at_most(const char* what, std::size_t found, std::size_t most) {
 }
 
 void require_fields(const EvalConfig& config, std::span<const std::uint16_t> coef) {
-  require_at_most("coef_bits (three coefficients share a word)",
-                  static_cast<std::size_t>(config.coef_bits), 10);
   const std::size_t most = (std::size_t{1} << config.coef_bits) - 1;
   for (const std::uint16_t c : coef) require_at_most("a coefficient", c, most);
 }
@@ -93,9 +91,12 @@ void write_levels(const TextureLevels& at, int planes, std::vector<Line>& memory
   }
 }
 
-std::uint32_t three_fields(const std::uint16_t* fields, int bits) {
-  return static_cast<std::uint32_t>(fields[0]) | static_cast<std::uint32_t>(fields[1]) << bits |
-         static_cast<std::uint32_t>(fields[2]) << (2 * bits);
+/// The first in the low bits.
+template <class Word, class Count>
+Word packed_fields(const std::uint16_t* fields, Count count, int bits) {
+  Word word = 0;
+  for (Count k = 0; k < count; ++k) word |= Word{fields[k]} << (static_cast<int>(k) * bits);
+  return word;
 }
 
 std::uint32_t four_bytes(unsigned a, unsigned b, unsigned c, unsigned d) {
@@ -105,15 +106,16 @@ std::uint32_t four_bytes(unsigned a, unsigned b, unsigned c, unsigned d) {
 /// Entries of `words` words of three coefficients each.
 template <std::size_t kWords>
 void pack_entries(const EvalConfig& config, std::span<const std::uint16_t> coef,
-                  std::array<std::uint32_t, kWords>* entries, std::size_t most) {
+                  std::array<std::uint64_t, kWords>* entries, std::size_t most) {
   require_fields(config, coef);
   if (coef.size() % (3 * kWords) != 0) {
     refuse("coefficients of a palette", coef.size(), "a multiple of " + std::to_string(3 * kWords));
   }
   require_at_most("entries of a palette", coef.size() / (3 * kWords), most);
-  std::fill_n(entries, most, std::array<std::uint32_t, kWords>{});
+  std::fill_n(entries, most, std::array<std::uint64_t, kWords>{});
   for (std::size_t word = 0; word < coef.size() / 3; ++word) {
-    entries[word / kWords][word % kWords] = three_fields(&coef[word * 3], field_bits(config));
+    entries[word / kWords][word % kWords] =
+        packed_fields<std::uint64_t>(&coef[word * 3], 3, field_bits(config));
   }
 }
 
@@ -156,15 +158,18 @@ void require_sets(const EvalConfig& config, const TextureLevels& at,
   }
 }
 
-std::size_t planes_with(std::size_t own, std::span<const StoredSet> sets) {
+std::size_t planes_with(const EvalConfig& config, std::size_t own,
+                        std::span<const StoredSet> sets) {
   require_at_most("sets", sets.size(), kExtraSets);
-  return own + 2 * sets.size();
+  return own + static_cast<std::size_t>(polynomial_words(config)) * sets.size();
 }
 
 std::uint32_t set_word(const EvalConfig& config, std::span<const StoredSet> sets, std::size_t level,
                        std::size_t texel, std::size_t plane) {
-  const std::uint16_t* coef = &sets[plane / 2][level].coef[texel * 6];
-  return three_fields(coef + plane % 2 * 3, field_bits(config));
+  const auto planes = static_cast<std::size_t>(polynomial_words(config));
+  const auto fields = static_cast<std::size_t>(coefficients_a_word(config));
+  const std::uint16_t* coef = &sets[plane / planes][level].coef[texel * 6];
+  return packed_fields<std::uint32_t>(coef + plane % planes * fields, fields, field_bits(config));
 }
 
 }  // namespace
@@ -177,9 +182,9 @@ TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture
 TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
                          std::span<const StoredSet> sets, std::vector<Line>& memory) {
   const bool rgb = !levels.empty() && levels[0].rgb;
-  const contract::FormatRow& format = format_row(map_format(rgb));
+  const contract::FormatWords& format = format_words(map_format(rgb), config);
   const auto own = static_cast<std::size_t>(format.planes);
-  const int planes = static_cast<int>(planes_with(own, sets));
+  const int planes = static_cast<int>(planes_with(config, own, sets));
   const TextureLevels at = level_sizes(levels, planes, memory.size());
   require_map(config, levels);
   require_sets(config, at, sets);
@@ -189,7 +194,7 @@ TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture
     const contract::FormatWord& word = format.word[plane];
     if (word.kind == contract::WordKind::coefficients) {
       const std::size_t first = texel * coefficients(map_format(rgb)) + word.field;
-      return three_fields(&levels[l].coef[first], bits);
+      return packed_fields<std::uint32_t>(&levels[l].coef[first], word.fields, bits);
     }
     const std::uint8_t* color = &levels[l].color[texel * 3];
     return four_bytes(color[0], color[1], color[2], 255);
@@ -205,8 +210,8 @@ TextureLevels append_palette_map(std::span<const StoredPaletteMap> levels,
 TextureLevels append_palette_map(const EvalConfig& config, std::span<const StoredPaletteMap> levels,
                                  std::span<const StoredSet> sets, std::vector<Line>& memory) {
   const bool rgb = !levels.empty() && levels[0].rgb;
-  const auto own = static_cast<std::size_t>(map_planes(map_format(rgb, true)));
-  const int planes = static_cast<int>(planes_with(own, sets));
+  const auto own = static_cast<std::size_t>(map_planes(map_format(rgb, true), config));
+  const int planes = static_cast<int>(planes_with(config, own, sets));
   const TextureLevels at = level_sizes(levels, planes, memory.size());
   require_palette_map(levels);
   require_sets(config, at, sets);
@@ -235,7 +240,7 @@ TextureLevels append_picture(std::span<const StoredPicture> levels, std::vector<
 void append_lrgb_palette(const EvalConfig& config, std::span<const std::uint16_t> coef, int palette,
                          Palettes& palettes) {
   require_at_most("palette", static_cast<std::size_t>(palette), 3);
-  std::vector<std::array<std::uint32_t, 2>> entries(kLrgbEntries);
+  std::vector<std::array<std::uint64_t, 2>> entries(kLrgbEntries);
   pack_entries(config, coef, entries.data(), kLrgbEntries);
   const std::size_t first = static_cast<std::size_t>(palette) * kLrgbEntries;
   palettes.lrgb.resize(std::max(palettes.lrgb.size(), first + kLrgbEntries));
@@ -245,7 +250,7 @@ void append_lrgb_palette(const EvalConfig& config, std::span<const std::uint16_t
 
 void set_rgb_palette(const EvalConfig& config, std::span<const std::uint16_t> coef,
                      Palettes& palettes) {
-  std::vector<std::array<std::uint32_t, 6>> entries(kRgbEntries);
+  std::vector<std::array<std::uint64_t, 6>> entries(kRgbEntries);
   pack_entries(config, coef, entries.data(), kRgbEntries);
   palettes.rgb = std::move(entries);
 }

@@ -24,10 +24,11 @@ inline constexpr std::uint32_t kOuterMask = (1U << kLineBits) - 1;
   return (base + l) & kOuterMask;
 }
 
-/// Tables of words packed as a map's planes are: docs/spec/unit.md, "Palettes".
+/// Tables of words of three coefficients, F bits each, the first in the low bits:
+/// docs/spec/unit.md, "Palettes".
 struct Palettes {
-  std::vector<std::array<std::uint32_t, 2>> lrgb;  ///< entry 256 palette + index; at most 1024
-  std::vector<std::array<std::uint32_t, 6>> rgb;   ///< at most 4096
+  std::vector<std::array<std::uint64_t, 2>> lrgb;  ///< entry 256 palette + index; at most 1024
+  std::vector<std::array<std::uint64_t, 6>> rgb;   ///< at most 4096
 };
 
 using EffectTable = std::array<std::uint16_t, contract::kTableEntries>;
@@ -64,8 +65,8 @@ struct StoredPaletteMap {
 /// Append a texture's levels (level 0 first, each max(1, W >> l)) to the memory, level after level,
 /// texels beyond an edge 0; return how the unit addresses them. A map's colours get alpha 255.
 /// Throw std::invalid_argument, naming what was found and expected and leaving the memory as it
-/// was, for sizes that do not agree, more than 4,096 texels a side or 2^26 lines in all, a
-/// coefficient or index that its field does not hold, or coef_bits above 10.
+/// was, for sizes that do not agree, more than 4,096 texels a side or 2^26 lines in all, or a
+/// coefficient or index that its field does not hold.
 TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
                          std::vector<Line>& memory);
 TextureLevels append_palette_map(std::span<const StoredPaletteMap> levels,
@@ -78,7 +79,7 @@ TextureLevels append_picture(std::span<const StoredPicture> levels, std::vector<
 using StoredSet = std::vector<StoredTexture>;
 
 /// A map and at most four extra sets of the same levels, as one array of lines: the map's planes,
-/// then two of each set. Throw as above.
+/// then those of each set, two or three. Throw as above.
 TextureLevels append_map(const EvalConfig& config, std::span<const StoredTexture> levels,
                          std::span<const StoredSet> sets, std::vector<Line>& memory);
 TextureLevels append_palette_map(const EvalConfig& config, std::span<const StoredPaletteMap> levels,
@@ -92,18 +93,14 @@ void append_lrgb_palette(const EvalConfig& config, std::span<const std::uint16_t
 void set_rgb_palette(const EvalConfig& config, std::span<const std::uint16_t> coef,
                      Palettes& palettes);
 
-/// Bits of a coefficient in its word: F of docs/spec/unit.md.
-[[nodiscard]] constexpr int field_bits(const EvalConfig& config) {
-  return config.coef_bits > 8 ? config.coef_bits : 8;
-}
-
 struct RegisterWrite {
   std::uint16_t address = 0;
   std::uint32_t data = 0;
   bool operator==(const RegisterWrite&) const = default;
 };
 /// The writes that bring a unit's registers from reset to the state: the memory's size (an illegal
-/// draw is told by it), palettes, then each draw with what effects add to it, its control last.
+/// draw is told by it), palettes (with the upper bits of their words where those change), then each
+/// draw with what effects add to it, its control last.
 /// Registers of effects that are to hold 0, as after reset, are not written: a state without
 /// effects has no writes of theirs. Caches and counters are not touched. Throw
 /// std::invalid_argument for a value that its register's field does not hold; an illegal draw that

@@ -64,15 +64,22 @@ void write_palettes(const Palettes& palettes, std::vector<RegisterWrite>& out) {
   if (palettes.lrgb.size() > kDraws * kLrgbEntries || palettes.rgb.size() > kRgbEntries) {
     throw std::invalid_argument("a palette of more entries than the unit has");
   }
-  const auto table = [&out](const auto& entries, unsigned first, unsigned stride) {
+  std::uint32_t upper = 0;  // of the register, which stays
+  const auto table = [&](const auto& entries, unsigned first, unsigned stride) {
     for (unsigned e = 0; e < entries.size(); ++e) {
       for (unsigned w = 0; w < entries[e].size(); ++w) {
-        out.push_back(write(first + stride * e + w, entries[e][w]));
+        const std::uint64_t word = entries[e][w];
+        const std::uint32_t bits =
+            packed(fields::palette_upper::kBits, static_cast<Value>(word >> 32),
+                   "bits of a palette's word above 31");
+        if (bits != upper) out.push_back(write(kPaletteUpper, upper = bits));
+        out.push_back(write(first + stride * e + w, static_cast<std::uint32_t>(word)));
       }
     }
   };
   table(palettes.lrgb, kLrgbPaletteBlock, kLrgbPaletteStride);
   table(palettes.rgb, kRgbPaletteBlock, kRgbPaletteStride);
+  if (upper != 0) out.push_back(write(kPaletteUpper, 0));
 }
 
 std::uint32_t coefficient(Value bias, Value shift) {
