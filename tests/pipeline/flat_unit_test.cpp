@@ -106,6 +106,7 @@ TEST_P(WideCoefficients, GiveTheReferencesPixelsAndTakeAWordMoreForEachPolynomia
   const auto frame = simulate({3}, texture, frames, {}, config).front();
   EXPECT_EQ(frame.words_fetched, 13U * 9 * (rgb ? 9 : 4));
   const std::uint64_t cycles_a_pixel = rgb ? 3 : 2;  // beats of three words
+  EXPECT_EQ(frame.first_operand, 3 + cycles_a_pixel);
   for (std::size_t n = 0; n < frame.pixels.size(); ++n) {
     ASSERT_EQ(frame.cycles[n] - frame.cycles[0], n * cycles_a_pixel);
     const Fragment& f = frames[0][n];

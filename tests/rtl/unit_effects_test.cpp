@@ -134,7 +134,8 @@ TEST_P(RtlUnitEffects, HoldWhatTheUnitHoldsAndAPixelARegisterOfTheChainWhenBlock
 }
 
 /// A descriptor that is wrong in one or more respects, or right.
-void break_something(UnitSceneMaker& make, std::uint64_t memory, reference::Draw& draw) {
+void break_something(UnitSceneMaker& make, const reference::EvalConfig& config,
+                     std::uint64_t memory, reference::Draw& draw) {
   reference::DrawEffects& e = draw.effects;
   switch (make.in(0, 6)) {
     case 0:
@@ -154,7 +155,7 @@ void break_something(UnitSceneMaker& make, std::uint64_t memory, reference::Draw
       break;
     case 5: {  // a level ends with the memory, or a line behind it
       const int level = make.in(0, draw.map.levels - 1);
-      const std::uint64_t lines = level_lines(draw.map, array_planes(draw), level);
+      const std::uint64_t lines = level_lines(draw.map, array_planes(draw, config), level);
       draw.map.base[static_cast<std::size_t>(level)] =
           static_cast<std::uint32_t>(memory - lines) + static_cast<std::uint32_t>(make.in(0, 1));
       break;
@@ -181,9 +182,9 @@ TEST_P(RtlUnitEffects, RefuseWhatTheReferenceRefusesWithTheSameBits) {
     UnitScene scene = make.scene(variant.config, variant.unit);
     std::uint32_t expected = 0;
     for (std::size_t d = 0; d < scene.state.draws.size(); ++d) {
-      break_something(make, scene.state.memory.size(), scene.state.draws[d]);
+      break_something(make, variant.config, scene.state.memory.size(), scene.state.draws[d]);
       const unsigned bits = check_draw(as_held(scene.state.draws[d], variant.unit),
-                                       scene.state.memory.size(), variant.unit);
+                                       scene.state.memory.size(), variant.unit, variant.config);
       expected |= bits << (8 * d);
       ++seen[bits];
     }

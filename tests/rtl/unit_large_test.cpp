@@ -22,22 +22,27 @@ TEST_P(RtlLargeUnitExact, HasTheCycleAndTheValueOfEveryPixelAndEveryCounterOfFra
 INSTANTIATE_TEST_SUITE_P(Conditions, RtlLargeUnitExact, testing::ValuesIn(kFillingConditions),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-/// Formats of the scenes below by seed: so every one is drawn, with a colour texture and without.
-class RtlWideCoefficients : public testing::TestWithParam<std::uint64_t> {};
+/// A random scene, or one whose maps are drawn without a colour texture.
+UnitScene make_wide_scene(UnitSceneMaker& make, bool colored) {
+  UnitScene scene = make.scene(kLarge.config);
+  for (reference::Draw& draw : scene.state.draws) {
+    if (colored || draw.format == reference::TextureFormat::none) continue;
+    draw.color = false;
+    draw.combine = reference::Combine::none;
+  }
+  return scene;
+}
 
-/// Random fragments, of each draw.
-std::vector<reference::UnitFragment> of_all_draws(UnitSceneMaker& make, const UnitScene& scene) {
+class RtlWideCoefficients : public testing::TestWithParam<std::tuple<std::uint64_t, bool>> {};
+
+TEST_P(RtlWideCoefficients, HaveTheCycleAndTheValueOfEveryPixelAndEveryCounter) {
+  const auto [seed, colored] = GetParam();
+  UnitSceneMaker make(seed);
+  const UnitScene scene = make_wide_scene(make, colored);
   auto fragments = random_fragments(make, scene, 800);
   for (std::size_t n = 0; n < fragments.size(); ++n) {
     fragments[n].draw = static_cast<std::uint8_t>(n / 50 % scene.state.draws.size());
   }
-  return fragments;
-}
-
-TEST_P(RtlWideCoefficients, HaveTheCycleAndTheValueOfEveryPixelAndEveryCounter) {
-  UnitSceneMaker make(GetParam());
-  const UnitScene scene = make.scene(kLarge.config);
-  const auto fragments = of_all_draws(make, scene);
   expect_same_frames(kLarge,
                      {"Random",
                       pipeline::RandomMemory{.seed = 3, .latency_max = 60},
@@ -46,14 +51,17 @@ TEST_P(RtlWideCoefficients, HaveTheCycleAndTheValueOfEveryPixelAndEveryCounter) 
 }
 
 constexpr std::array<std::uint64_t, 4> kSeeds{1, 2, 3, 4};
-INSTANTIATE_TEST_SUITE_P(Scenes, RtlWideCoefficients, testing::ValuesIn(kSeeds));
+INSTANTIATE_TEST_SUITE_P(Scenes, RtlWideCoefficients,
+                         testing::Combine(testing::ValuesIn(kSeeds), testing::Bool()));
 
 TEST(RtlWideCoefficientsScenes, DrawEveryFormatWithAndWithoutAColourTexture) {
   std::set<std::pair<reference::TextureFormat, bool>> drawn;
   for (const std::uint64_t seed : kSeeds) {
-    UnitSceneMaker make(seed);
-    for (const auto& draw : make.scene(kLarge.config).state.draws) {
-      drawn.emplace(draw.format, draw.color);
+    for (const bool colored : {false, true}) {
+      UnitSceneMaker make(seed);
+      for (const auto& draw : make_wide_scene(make, colored).state.draws) {
+        drawn.emplace(draw.format, draw.color);
+      }
     }
   }
   EXPECT_EQ(drawn.size(), 9U) << "four formats of maps twice, and none";

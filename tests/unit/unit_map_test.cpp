@@ -111,7 +111,9 @@ TEST(UnitMapLevels, FillTheRangeOfWiderCoefficientsAndComeNearerToTheMap) {
     std::vector<reference::Line> memory;
     EXPECT_NO_THROW(append_map(config, map.levels, memory)) << coef_bits;
     EXPECT_EQ(memory.size(), 4U * (coef_bits > 10 ? 4 : 3)) << "2 x 2 tiles";
-    if (before > 0) EXPECT_LT(map.rms_error, before) << coef_bits;
+    if (before > 0) {
+      EXPECT_LT(map.rms_error, before) << coef_bits;
+    }
     before = map.rms_error;
   }
 }

@@ -82,7 +82,7 @@ TEST_F(UnitStateOfAScene, NumbersLrgbPalettesInTheOrderOfTheirDraws) {
   EXPECT_EQ(made.state.draws[1].palette, 1);
   const auto& table = made.state.palettes.lrgb;
   const auto used = [&](std::size_t palette, std::size_t entry) {
-    return table.at(palette * reference::kLrgbEntries + entry) != std::array<std::uint32_t, 2>{};
+    return table.at(palette * reference::kLrgbEntries + entry) != std::array<std::uint64_t, 2>{};
   };
   EXPECT_TRUE(used(0, 8)) << "b's ninth entry";
   EXPECT_FALSE(used(0, 9));
