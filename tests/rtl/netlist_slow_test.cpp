@@ -15,8 +15,10 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 }
 
 ToolRun synthesize(const ScratchFolder& folder, const std::string& arguments) {
-  return run_tool("PTMSIM='" PTM_PROGRAM "' scripts/synthesize --verilator --out '" +
-                  (folder / "out").string() + "' " + arguments);
+  ToolRun run = run_tool("PTMSIM='" PTM_PROGRAM "' scripts/synthesize --verilator --out '" +
+                         (folder / "out").string() + "' " + arguments);
+  std::cout << run.output;  // the table that stands in rtl/README.md
+  return run;
 }
 
 TEST(Netlist, OfTheEvaluatorOfEveryPresetGivesTheReferencesPixelsInTwoSimulators) {
