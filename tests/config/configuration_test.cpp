@@ -103,7 +103,7 @@ TEST(Configuration, RefusesWhatCannotBuildNamingTheParameter) {
                 .rfind("--set duplicate_lines=true|", 0),
             0U);
   EXPECT_EQ(
-      complaint({told("coef_bits", "11")}).rfind("--set coef_bits=11|coef_bits = 11|at most 10", 0),
+      complaint({told("coef_bits", "13")}).rfind("--set coef_bits=13|coef_bits = 13|an integer", 0),
       0U);
   EXPECT_EQ(complaint({told("preset", "huge", Kind::word)}),
             "line 7 (hardware.preset)|preset 'huge'|paper8, base or wide");
@@ -121,10 +121,10 @@ TEST(Configuration, RefusesWhatCannotBuildNamingTheParameter) {
             "--set kind=disk|'disk'|one of fixed, dram, random");
 }
 
-/// An evaluator by itself takes coefficients that a unit does not.
-TEST(Configuration, OfAnEvaluatorAloneHasTheWholeRange) {
+TEST(Configuration, OfAnEvaluatorAndOfAWholeUnitHaveTheWholeRange) {
   const Settings hardware{"", {told("coef_bits", "12")}}, memory;
   EXPECT_EQ(make_configuration({"scene.toml", hardware, memory}).eval.coef_bits, 12);
+  EXPECT_EQ(make_unit_configuration({"scene.toml", hardware, memory}).eval.coef_bits, 12);
 }
 
 TEST(Configuration, WrittenAsTomlIsReadAsItWas) {

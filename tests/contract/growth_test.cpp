@@ -83,7 +83,7 @@ static_assert(fields::draw_weights::kKq.low == 27 && fields::draw_weights::kKq.w
 static_assert(static_cast<int>(UnitCounter::lines_kept) == 38 && kUnitCounters == 39);
 static_assert(unit_counter_names()[38] == "lines_kept");
 static_assert(static_cast<int>(TextureFormat::luminance) == 5);
-static_assert(map_planes(TextureFormat::luminance) == 2);
+static_assert(map_planes(TextureFormat::luminance, EvalConfig{}) == 2);
 static_assert(format_row(TextureFormat::luminance).multiplies == 8);
 
 int main() {
@@ -114,13 +114,13 @@ TEST_F(ContractGrowth, IsFoundInTheRtlWhichStillIsAUnit) {
 module grown (
   input  logic [ptm_unit_pkg::DrawW-1:0] draw_i,
   output logic [4:0] kq_o,
-  output logic [2:0] planes_o,
+  output logic [3:0] planes_o,
   output logic [5:0] number_o
 );
   ptm_unit_pkg::draw_t draw;
   assign draw     = draw_i;
   assign kq_o     = draw.kq;
-  assign planes_o = ptm_format_pkg::planes(ptm_register_pkg::FormatLuminance);
+  assign planes_o = ptm_format_pkg::planes(3, ptm_register_pkg::FormatLuminance);
   assign number_o = 6'(ptm_register_pkg::CountLinesKept);
   if (ptm_register_pkg::DrawWeightsKqLow != 27 || ptm_register_pkg::Counters != 39) begin : gen_bad
     kq_is_not_where_the_table_says u_bad ();
@@ -188,7 +188,7 @@ TEST_F(ContractGrowth, IsFoundInJsonTomlAndPages) {
   EXPECT_NE(block("unit-timing.md", "counters").find("| 38 | `lines_kept` | lines that stayed"),
             std::string::npos);
   EXPECT_NE(
-      block("unit.md", "formats").find("| 5 | luminance | 2 | (a0 a1 a2), (a3 a4 a5), grey |"),
+      block("unit.md", "formats").find("| 5 | luminance | 2 (3) | (a0 a1 a2), (a3 a4 a5), grey"),
       std::string::npos);
   EXPECT_NE(block("unit.md", "registers").find("`kq` [31:27] (of the quartic)"), std::string::npos);
   EXPECT_NE(block("unit.md", "capabilities").find("`SampleFifo` [31:26]"), std::string::npos);

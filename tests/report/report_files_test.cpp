@@ -175,7 +175,7 @@ TEST_F(ReportFiles, HoldInJsonEveryParameterOfTheConfiguration) {
       << "a unit without parts for effects says nothing of them";
   EXPECT_EQ(json["frames"]["traversal"], "scan");
   EXPECT_EQ(json["frames"]["draw_twice"], true);
-  unit.memory = pipeline::RandomMemory{.seed = 5, .latency_max = 77};
+  unit.memory = pipeline::RandomMemory{.seed = 5, .latency_min = 1, .latency_max = 77};
   json = config();
   EXPECT_EQ(
       json["memory"],

@@ -178,7 +178,7 @@ const Set kUnit[] = {
     {"MissFifo=7 Tmus=2", "MissFifo_not_4_times_Tmus_to_256"},
     {"MissFifo=3 Tmus=1", "MissFifo_not_4_times_Tmus_to_256"},
     {"MissFifo=257", "MissFifo_not_4_times_Tmus_to_256"},
-    {"MissFifo=300 Ways=3 CoefBits=13", "CoefBits_not_4_to_12"},  // the first of three
+    {"MissFifo=300 Ways=3 CoefBits=13", "Ways_not_1_2_or_4"},  // one of three
     {"PaletteLrgbPorts=1", ""},
     {"PaletteLrgbPorts=3", "PaletteLrgbPorts_not_1_2_or_4"},
     {"PaletteLrgbPorts=0", "PaletteLrgbPorts_not_1_2_or_4"},

@@ -25,6 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Conditions, RtlLargeUnitExact, testing::ValuesIn(kFilli
 /// A random scene, or one whose maps are drawn without a colour texture.
 UnitScene make_wide_scene(UnitSceneMaker& make, bool colored) {
   UnitScene scene = make.scene(kLarge.config);
+  spread_luminance(scene);
   for (reference::Draw& draw : scene.state.draws) {
     if (colored || draw.format == reference::TextureFormat::none) continue;
     draw.color = false;

@@ -49,7 +49,8 @@ TEST_P(SlowWideCoefficients, HaveTheCycleAndTheValueOfEveryPixelAndEveryCounter)
   const auto [number, seed] = GetParam();
   const WideUnit& wide = kUnits[number];
   UnitSceneMaker make(static_cast<std::uint64_t>(seed));
-  const UnitScene scene = make.scene(wide.config, wide.unit);
+  UnitScene scene = make.scene(wide.config, wide.unit);
+  spread_luminance(scene);
   auto fragments = random_fragments(make, scene, 1000);
   for (std::size_t n = 0; n < fragments.size(); ++n) {
     fragments[n].draw = static_cast<std::uint8_t>(n / 50 % scene.state.draws.size());

@@ -100,6 +100,28 @@ TEST_F(UnitStateOfAScene, HasRoomForOneRgbPaletteBesideThoseOfLrgb) {
       "line 9 (texture[1])|a second RGB palette|at most one");
 }
 
+TEST_F(UnitStateOfAScene, IsLegalAndHasMoreLinesWhereAWordHoldsTwoCoefficients) {
+  const UnitJob made = job(map("a", "") + map("b", "kind = \"rgb\"\n") + map("c", "palette = 4\n") +
+                           plane("a") + plane("b") + plane("c"));
+  const auto state_of = [&made](int coef_bits) {
+    reference::EvalConfig config = made.config;
+    config.coef_bits = coef_bits;
+    config.delta_bits = coef_bits + 1;
+    std::vector<std::string> notes;
+    const auto state = make_unit_state(made.scene, made.textures, made.extras, config, notes);
+    for (const reference::Draw& draw : state.draws) {
+      EXPECT_EQ(check_draw(draw, state.memory.size(), {}, config), 0U) << coef_bits;
+    }
+    return state;
+  };
+  const auto three = state_of(10), two = state_of(12);
+  ASSERT_EQ(two.draws.size(), 3U);
+  // LRGB, RGB, palettised: one array of lines behind the other, of as many tiles each.
+  const std::size_t lines = three.memory.size() / (3 + 6 + 1);
+  EXPECT_EQ(three.memory.size(), lines * (3 + 6 + 1));
+  EXPECT_EQ(two.memory.size(), lines * (4 + 9 + 1));
+}
+
 TEST_F(UnitStateOfAScene, IsLegalAtEverySizeOfTextureDownToOneTexel) {
   for (const std::string size : {"[1, 1]", "[1, 5]", "[7, 1]", "[3, 3]"}) {
     for (const std::string kind : {"lrgb", "rgb"}) {
