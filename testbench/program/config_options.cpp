@@ -32,8 +32,7 @@ void add_set_option(CLI::App& command, ConfigOptions& options) {
   command
       .add_option("--set", options.sets,
                   "NAME=VALUE: a parameter of the hardware, or memory.NAME=VALUE of the memory, on "
-                  "top of the preset; may be given again (docs/spec/datapath.md, "
-                  "docs/spec/unit-timing.md, docs/spec/scene.md)")
+                  "top of the preset; may be given again (docs/spec/scene.md)")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
