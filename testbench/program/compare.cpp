@@ -9,6 +9,7 @@
 #include "testbench/compare/run_verdict.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
+#include "testbench/program/figures.h"
 #include "testbench/report/html_text.h"
 
 namespace ptm::testbench {
@@ -53,7 +54,7 @@ std::string change_text(const RunDifference& difference) {
   const std::optional<double> part = difference.relative();
   const bool setting = difference.kind == DifferenceKind::configuration;
   if (part && std::isfinite(*part) && !setting) {
-    text += " (" + std::string(*part < 0 ? "" : "+") + plain_number(100 * *part) + " %)";
+    text += " (" + std::string(*part < 0 ? "" : "+") + figure(100 * *part) + " %)";
   }
   return text;
 }
