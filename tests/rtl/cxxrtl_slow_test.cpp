@@ -58,7 +58,7 @@ std::unique_ptr<Simulation> make_cxxrtl(const std::string& name, const std::stri
   if (testing::Test::HasFatalFailure()) return nullptr;
   // The unit is one function of 30,000 lines, over which an optimiser takes many minutes.
   run_or_fail(
-      "c++ -std=c++20 -O0 -w -fPIC -shared -I. -isystem $(yosys-config --datdir)/include"
+      "c++ -std=c++20 -O0 -w -fPIC -shared -I. -I'" PTM_GENERATED "' -isystem $(yosys-config --datdir)/include"
       " -I'" +
       (folder / "").string() + "' '" + made + ".cc' tests/rtl/cxxrtl/" + name + ".cpp -o '" +
       library + "'");
