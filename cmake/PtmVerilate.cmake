@@ -69,8 +69,9 @@ function(ptm_verilate target)
   else()
     list(APPEND options ${PTM_VERILATED_SMALL})
   endif()
-  file(GLOB rtl_files LIST_DIRECTORIES false CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*
-    ${CMAKE_SOURCE_DIR}/rtl/contract/* ${CMAKE_SOURCE_DIR}/rtl/effects/* ${PTM_GENERATED}/rtl/*)
+  file(GLOB_RECURSE rtl_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*.sv
+    ${CMAKE_SOURCE_DIR}/rtl/*.svh ${CMAKE_SOURCE_DIR}/rtl/*.f ${CMAKE_SOURCE_DIR}/rtl/lint.vlt
+    ${PTM_GENERATED}/rtl/*)
   add_custom_command(
     OUTPUT ${dir}/${arg_PREFIX}.h ${dir}/all.cxx
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${dir}

@@ -1,8 +1,8 @@
 // The texture unit: from fragments to pixels. Wiring only.
 //
-//   fragments -> ptm_unit_front (address, tags, miss ring, fetch) -> D
-//             -> ptm_unit_back (palette, filter, evaluator, combine) -> pixels
-//   registers -> ptm_unit_registers (descriptors, palettes, counters, status)
+//   fragments -> ptm_front (address, tags, miss ring, fetch) -> D
+//             -> ptm_back (palette, filter, evaluator, combine) -> pixels
+//   registers -> ptm_registers (descriptors, palettes, counters, status)
 //
 // What it computes is docs/spec/unit.md, when it moves what docs/spec/unit-timing.md, the handshake
 // docs/spec/handshake.md. An all-hit fragment of one beat that is accepted in cycle c is offered as
@@ -85,14 +85,14 @@ module ptm_unit #(
   logic [9:0]  table_addr;
   logic [11:0] table_data;
   logic [32*ptm_unit_pkg::CapabilityWords-1:0] capabilities;
-  ptm_unit_capabilities #(
+  ptm_registers_capabilities #(
     `include "contract/ptm_unit_map.svh"
   ) u_capabilities (
     .words_o(capabilities)
   );
   logic        mem_failed;
   logic [25:0] mem_base;
-  ptm_unit_registers #(
+  ptm_registers #(
     .CoefBits(CoefBits), .HalfVector(HalfVector), .ExtraSets(ExtraSets),
     .ExtraPasses(ExtraPasses), .Stages(Stages)
   ) u_registers (
@@ -141,7 +141,7 @@ module ptm_unit #(
   end else begin : gen_half
     localparam int LightW = ptm_pkg::light_bits(LightInt, LightFrac);
     logic signed [LightW-1:0] hu, hv;
-    ptm_half_fifo #(
+    ptm_back_half_vector_fifo #(
       .Depth(FragmentFifo + 14), .Width(LightW)  // A0 to A3, T, K, F, D, Q, P, L1, L2, L3, O
     ) u_half_fifo (
       .clk_i(clk_i), .rst_ni(rst_ni), .push_i(frag_valid_i && frag_ready_o),
@@ -167,7 +167,7 @@ module ptm_unit #(
   logic [2:0] inc_palette, inc_combine;
   logic [7:0] inc_filter;
   logic [5:0] inc_eval, inc_effects;
-  ptm_unit_front #(
+  ptm_front #(
     `include "contract/ptm_unit_front_map.svh"
   ) u_front (
     .clk_i(clk_i), .rst_ni(rst_ni), .mem_rst_ni(mem_rst_ni), .draining_o(draining),
@@ -188,7 +188,7 @@ module ptm_unit #(
     .inc_effects_i(inc_effects)
   );
 
-  ptm_unit_back #(
+  ptm_back #(
     `include "contract/ptm_unit_back_map.svh"
   ) u_back (
     .clk_i(clk_i), .rst_ni(rst_ni), .draws_i(draws), .effects_i(effects),
@@ -203,7 +203,7 @@ module ptm_unit #(
     .inc_combine_o(inc_combine), .inc_effects_o(inc_effects)
   );
 
-  ptm_unit_failures u_failures (
+  ptm_registers_failures u_failures (
     .clk_i(clk_i), .rst_ni(rst_ni), .leaves_i(d_valid && d_ready), .failed_i(d_error),
     .last_i(d_beat.last && d_beat.sub_last), .taken_i(pix_valid_o && pix_ready_i),
     .failed_o(pix_mem_error_o)

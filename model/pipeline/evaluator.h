@@ -39,7 +39,8 @@ class EvaluatorTime {
 /// Rate      one beat a cycle. A pixel of an RGB map is three beats; its first two leave the last
 ///           register for the assembly register unconditionally, the third pushes the pixel.
 /// Capacity  9 beats when the output is stalled.
-/// Twin      rtl/ptm_evaluator.sv, equal in every cycle (tests/pipeline/evaluator_chain_test.cpp)
+/// Twin      rtl/evaluator/ptm_evaluator.sv, equal in every cycle
+/// (tests/pipeline/evaluator_chain_test.cpp)
 class Evaluator final : public sc_core::sc_module, public StreamTarget<EvaluatorBeat> {
  public:
   sc_core::sc_export<StreamTarget<EvaluatorBeat>> in{"in"};

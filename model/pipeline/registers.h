@@ -9,9 +9,9 @@
 /// items pass in order, and an item's cycles follow from those of the items before it.
 namespace ptm::pipeline {
 
-/// N pipeline registers in a row (rtl/ptm_stream_chain.sv). A register accepts when it is empty or
-/// being emptied (docs/spec/unit-timing.md, T6), so with enter_i(n) the cycle of item n's transfer
-/// into register i:
+/// N pipeline registers in a row (rtl/stream/ptm_stream_chain.sv). A register accepts when it is
+/// empty or being emptied (docs/spec/unit-timing.md, T6), so with enter_i(n) the cycle of item n's
+/// transfer into register i:
 ///
 ///     enter_i(n) = max(enter_(i-1)(n) + 1, enter_(i+1)(n-1))
 ///
@@ -48,8 +48,8 @@ class RegisterChain {
   Cycle enter_next_ = 0, leave_next_ = 0;  ///< the earliest for the next item
 };
 
-/// A FIFO of registers (rtl/ptm_stream_fifo2.sv): latency 1; full at the start of a cycle, it
-/// accepts nothing (T6), so a slot is usable the cycle after it was emptied.
+/// A FIFO of registers (rtl/stream/ptm_stream_fifo2.sv): latency 1; full at the start of a cycle,
+/// it accepts nothing (T6), so a slot is usable the cycle after it was emptied.
 template <std::size_t Depth>
 class TimedFifo {
  public:

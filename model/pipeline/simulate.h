@@ -44,10 +44,10 @@ void simulate_unit(const reference::EvalConfig& config, const UnitConfig& unit,
                    const reference::StoredTexture& texture, const FrameStream& frames,
                    const StreamTiming& timing = {});
 
-/// Streams of any length through the evaluator alone, what rtl/ptm_evaluator.sv is compared with;
-/// nothing is kept. Sources are called once a pixel, in order; what they return must live until the
-/// next call. The sink is called once a pixel, in order, with the cycle in which it is taken.
-/// The result's `pixels` and `cycles` stay empty.
+/// Streams of any length through the evaluator alone, what rtl/evaluator/ptm_evaluator.sv is
+/// compared with; nothing is kept. Sources are called once a pixel, in order; what they return must
+/// live until the next call. The sink is called once a pixel, in order, with the cycle in which it
+/// is taken. The result's `pixels` and `cycles` stay empty.
 using LrgbSource = std::function<const reference::LrgbOperands<>&(std::uint64_t pixel)>;
 using RgbSource = std::function<const reference::RgbOperands<>&(std::uint64_t pixel)>;
 using PixelTaker = std::function<void(std::uint64_t pixel, const Pixel&, Cycle cycle)>;

@@ -21,8 +21,8 @@ struct PixelId {
   std::int32_t x = 0, y = 0;
 };
 
-/// One beat of the evaluator; twin of the input ports of rtl/ptm_evaluator.sv. An LRGB pixel is one
-/// beat, an RGB-map pixel three: channels 0, 1, 2.
+/// One beat of the evaluator; twin of the input ports of rtl/evaluator/ptm_evaluator.sv. An LRGB
+/// pixel is one beat, an RGB-map pixel three: channels 0, 1, 2.
 struct EvaluatorBeat {
   reference::Six<reference::Value> coef{}, bias{}, shift{};
   reference::Three<reference::Value> rgb{};

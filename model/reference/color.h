@@ -15,7 +15,8 @@ struct Color {
   Int saturated{};   ///< 1 if any channel was limited to 255
 };
 
-/// D7, products: lum * rgb[c], 3 multiplies, exact.  Twin: rtl/ptm_color_products.sv
+/// D7, products: lum * rgb[c], 3 multiplies, exact.  Twin:
+/// rtl/evaluator/ptm_evaluator_color_products.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Three<Int> color_products(Int lum,
                                                                       const Three<Int>& rgb) {
@@ -54,7 +55,7 @@ template <class Int>
 }
 
 /// D7, scale: out[c] = min(255, narrow(product[c], lum_frac + filter_frac) / 255).
-/// Twin: rtl/ptm_color_scale.sv
+/// Twin: rtl/evaluator/ptm_evaluator_color_scale.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Color<Int> color_scale(const EvalConfig& config,
                                                                    const Three<Int>& product) {
@@ -65,7 +66,8 @@ template <class Int>
   }));
 }
 
-/// RGB maps: out[c] = min(255, narrow(lum[c], lum_frac)).  Twin: rtl/ptm_color_scale.sv
+/// RGB maps: out[c] = min(255, narrow(lum[c], lum_frac)).  Twin:
+/// rtl/evaluator/ptm_evaluator_color_scale.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Color<Int> color_direct(const EvalConfig& config,
                                                                     const Three<Int>& lum) {

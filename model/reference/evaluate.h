@@ -9,7 +9,7 @@
 /// shift amount into the code.
 namespace ptm::reference {
 
-/// Operands of an LRGB pixel; twin of the ports of rtl/ptm_evaluator.sv.
+/// Operands of an LRGB pixel; twin of the ports of rtl/evaluator/ptm_evaluator.sv.
 template <class Int = Value>
 struct LrgbOperands {
   Six<Int> coef{}, bias{}, shift{};

@@ -12,7 +12,7 @@ inline constexpr int kLerpFrac = 8;  ///< filter weights are Q0.8
 /// Format    a, b unsigned, texels entering as x << filter_frac; f in 0..255, 2^-8 units.
 ///           The result lies between a and b, so it needs no more bits than they have.
 /// Error     half a unit (nearest), one (truncate)
-/// Twin      rtl/ptm_lerp.sv
+/// Twin      rtl/arith/ptm_arith_lerp.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Int lerp(Rounding rounding, Int a, Int b, Int f) {
   const StepScope<Int> scope(Step::lerp);

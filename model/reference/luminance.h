@@ -22,7 +22,7 @@ template <class F>
 ///
 /// With delta_bits > coef_bits every difference fits, and sat is left out.
 /// Requires  coef unsigned, coef_bits + filter_frac bits; bias unsigned, coef_bits bits.
-/// Twin      rtl/ptm_unpack.sv
+/// Twin      rtl/evaluator/ptm_evaluator_unpack.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Six<Int> unpack(const EvalConfig& config,
                                                             const Six<Int>& coef,
@@ -48,7 +48,7 @@ struct Basis {
 /// Error     half a unit of 2^-basis_frac (nearest), one (truncate), and one where it saturates:
 ///           for |lu| = |lv| = 2^(light_int - 1), and of a basis so coarse that squares of codes
 ///           next to it round up to its own.
-/// Twin      rtl/ptm_basis.sv
+/// Twin      rtl/evaluator/ptm_evaluator_basis.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Basis<Int> basis(const EvalConfig& config, Int lu,
                                                              Int lv) {
@@ -61,7 +61,8 @@ template <class Int>
 }
 
 /// D3. Products, 5 multiplies, exact: p0..p2 with basis_frac fraction bits, p3 and p4 with
-/// light_frac, p5 with none (and filter_frac more each).  Twin: rtl/ptm_products.sv
+/// light_frac, p5 with none (and filter_frac more each).  Twin:
+/// rtl/evaluator/ptm_evaluator_products.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Six<Int> products(const Six<Int>& d,
                                                               const Basis<Int>& b, Int lu, Int lv) {
@@ -76,7 +77,7 @@ template <class Int>
 /// A constant left shift first makes the amount non-negative for every legal shift, so that one
 /// right shifter serves both signs.
 /// Requires  shift_min <= shift[i] <= 15.
-/// Twin      rtl/ptm_align.sv
+/// Twin      rtl/evaluator/ptm_evaluator_align.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Six<Int> align(const EvalConfig& config,
                                                            const Six<Int>& p,
@@ -89,7 +90,7 @@ template <class Int>
   });
 }
 
-/// D5. The sum, 5 adds, in order of the coefficients.  Twin: rtl/ptm_sum.sv
+/// D5. The sum, 5 adds, in order of the coefficients.  Twin: rtl/evaluator/ptm_evaluator_sum.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Int sum(const Six<Int>& t) {
   const StepScope<Int> scope(Step::sum);
@@ -103,7 +104,7 @@ struct Luminance {
 };
 
 /// D6. lum = clamp(narrow(acc, guard - lum_frac), 0, 2^(lum_bits + lum_frac) - 1)
-/// Twin: rtl/ptm_luminance.sv
+/// Twin: rtl/evaluator/ptm_evaluator_luminance.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Luminance<Int> luminance(const EvalConfig& config,
                                                                      Int acc) {

@@ -12,7 +12,7 @@ namespace ptm::reference {
 /// Source    docs/spec/datapath.md, narrow
 /// Error     |narrow(x, k) - x / 2^k| <= 1/2 (nearest), in [0, 1) below it (truncate)
 /// Requires  0 <= k <= 62 and |x| < 2^62. k may be data (D4) or a constant.
-/// Twin      rtl/ptm_narrow.sv
+/// Twin      rtl/arith/ptm_arith_narrow.sv
 template <class Int, class Amount>
 [[nodiscard, gnu::always_inline]] constexpr Int narrow(Rounding rounding, Int x, Amount k) {
   const StepScope<Int> scope(Step::narrow);
@@ -27,7 +27,7 @@ template <class Int>
   return narrow(rounding, x, Value{k});
 }
 
-/// Clamps to the range of an n-bit two's-complement number. Twin: rtl/ptm_saturate.sv.
+/// Clamps to the range of an n-bit two's-complement number. Twin: rtl/arith/ptm_arith_saturate.sv.
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Int sat(Int x, int bits) {
   const Value limit = Value{1} << (bits - 1);

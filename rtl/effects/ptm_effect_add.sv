@@ -50,7 +50,7 @@ module ptm_effect_add #(
   for (genvar c = 0; c < 3; c++) begin : gen_channel
     logic signed [AddendW:0] levels;
     logic [AddendW:0]        sum;
-    ptm_narrow #(
+    ptm_arith_narrow #(
       .InBits(AddendW + 1), .AmountBits(3), .OutBits(AddendW + 1), .RoundNearest(RoundNearest)
     ) u_narrow (
       .x_i({1'b0, addend_i[c*AddendW +: AddendW]}), .amount_i(3'd4), .y_o(levels)

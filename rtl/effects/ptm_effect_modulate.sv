@@ -55,7 +55,7 @@ module ptm_effect_modulate #(
     logic [8:0]                    factor;
     logic signed [AddendW+9:0]     product, narrowed;
     assign value = channels ? value_i[(1+c)*LumW +: LumW] : value_i[LumW +: LumW];
-    ptm_narrow #(
+    ptm_arith_narrow #(
       .InBits(LumW + 1), .AmountBits(3), .OutBits(LumW + 1), .RoundNearest(RoundNearest)
     ) u_levels (
       .x_i({1'b0, value}), .amount_i(3'(LumFrac)), .y_o(levels)
@@ -64,7 +64,7 @@ module ptm_effect_modulate #(
     assign factor  = {1'b0, m} + {8'd0, m[7]};
     assign product = signed'({1'b0, (AddendW+9)'(addend_i[c*AddendW +: AddendW]) *
                                     (AddendW+9)'(factor)});
-    ptm_narrow #(
+    ptm_arith_narrow #(
       .InBits(AddendW + 10), .AmountBits(4), .OutBits(AddendW + 10), .RoundNearest(RoundNearest)
     ) u_narrow (
       .x_i(product), .amount_i(4'd8), .y_o(narrowed)

@@ -73,7 +73,7 @@ module ptm_effect_power #(
   // | lerp |
   logic [EntryW-1:0] power, power2_q;
   if (LumFrac == 0) begin : gen_entry
-    ptm_ram #(.Depth(Draws * 256), .Width(EntryW)) u_table (
+    ptm_memory_ram #(.Depth(Draws * 256), .Width(EntryW)) u_table (
       .clk_i(clk_i), .write_i(table_we_i), .write_address_i(table_addr_i),
       .write_data_i(table_data_i), .read_i(load1 && acts),
       .read_address_i({pixel_i.draw, index}), .read_data_o(power)
@@ -85,12 +85,12 @@ module ptm_effect_power #(
     logic [EntryW-1:0]  even, odd, entry1, next1;
     logic               odd1_q;
     logic [LumFrac-1:0] fraction1_q;
-    ptm_ram #(.Depth(Draws * 128), .Width(EntryW)) u_even (
+    ptm_memory_ram #(.Depth(Draws * 128), .Width(EntryW)) u_even (
       .clk_i(clk_i), .write_i(table_we_i && !table_addr_i[0]),
       .write_address_i(table_addr_i[9:1]), .write_data_i(table_data_i), .read_i(load1 && acts),
       .read_address_i({pixel_i.draw, index[7:1] + 7'(index[0])}), .read_data_o(even)
     );
-    ptm_ram #(.Depth(Draws * 128), .Width(EntryW)) u_odd (
+    ptm_memory_ram #(.Depth(Draws * 128), .Width(EntryW)) u_odd (
       .clk_i(clk_i), .write_i(table_we_i && table_addr_i[0]),
       .write_address_i(table_addr_i[9:1]), .write_data_i(table_data_i), .read_i(load1 && acts),
       .read_address_i({pixel_i.draw, index[7:1]}), .read_data_o(odd)
@@ -108,7 +108,7 @@ module ptm_effect_power #(
     assign difference = signed'({1'b0, next1}) - signed'({1'b0, entry1});
     assign product    = (EntryW+LumFrac+1)'(difference) *
                         (EntryW+LumFrac+1)'(signed'({1'b0, fraction1_q}));
-    ptm_narrow #(
+    ptm_arith_narrow #(
       .InBits(EntryW + LumFrac + 1), .AmountBits(3), .OutBits(EntryW + LumFrac + 1),
       .RoundNearest(RoundNearest)
     ) u_narrow (
@@ -126,9 +126,9 @@ module ptm_effect_power #(
   always_ff @(posedge clk_i) begin
     if (load2 && acts1_q) power2_q <= power;
   end
-  ptm_by_draw #(.Width(9)) u_ks (.values_i(ks_i), .draw_i(pixel2_q.draw), .value_o(ks));
+  ptm_registers_by_draw #(.Width(9)) u_ks (.values_i(ks_i), .draw_i(pixel2_q.draw), .value_o(ks));
   assign product = signed'({1'b0, (9+EntryW)'(ks) * (9+EntryW)'(power2_q)});
-  ptm_narrow #(
+  ptm_arith_narrow #(
     .InBits(9 + EntryW + 1), .AmountBits(4), .OutBits(9 + EntryW + 1), .RoundNearest(RoundNearest)
   ) u_narrow (
     .x_i(product), .amount_i(4'd8), .y_o(narrowed)

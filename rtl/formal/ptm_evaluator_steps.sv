@@ -31,7 +31,7 @@ module ptm_evaluator_steps #(
   localparam int ProductW = ptm_pkg::color_product_bits(LumBits, LumFrac, FilterFrac);
 
   logic signed [DeltaW-1:0] d0, d1, d2, d3, d4, d5;
-  ptm_unpack #(
+  ptm_evaluator_unpack #(
     .CoefBits(CoefBits), .DeltaBits(DeltaBits), .FilterFrac(FilterFrac)
   ) u_unpack (
     .coef_i(coef_i), .bias_i(bias_i), .d0_o(d0), .d1_o(d1), .d2_o(d2), .d3_o(d3), .d4_o(d4),
@@ -39,7 +39,7 @@ module ptm_evaluator_steps #(
   );
 
   logic signed [BasisW-1:0] uu, vv, uv;
-  ptm_basis #(
+  ptm_evaluator_basis #(
     .LightInt(LightInt), .LightFrac(LightFrac), .BasisFrac(BasisFrac), .RoundNearest(RoundNearest)
   ) u_basis (
     .lu_i(lu_i), .lv_i(lv_i), .uu_o(uu), .vv_o(vv), .uv_o(uv)
@@ -48,7 +48,7 @@ module ptm_evaluator_steps #(
   logic signed [DeltaW+BasisW-1:0] p0, p1, p2;
   logic signed [DeltaW+LightW-1:0] p3, p4;
   logic signed [DeltaW-1:0]        p5;
-  ptm_products #(
+  ptm_evaluator_products #(
     .DeltaW(DeltaW), .LightW(LightW), .BasisW(BasisW)
   ) u_products (
     .d0_i(d0), .d1_i(d1), .d2_i(d2), .d3_i(d3), .d4_i(d4), .d5_i(d5), .uu_i(uu), .vv_i(vv),
@@ -57,7 +57,7 @@ module ptm_evaluator_steps #(
   );
 
   logic signed [TermW-1:0] t0, t1, t2, t3, t4, t5;
-  ptm_align #(
+  ptm_evaluator_align #(
     .DeltaBits(DeltaBits), .LightInt(LightInt), .LightFrac(LightFrac), .BasisFrac(BasisFrac),
     .Guard(Guard), .RoundNearest(RoundNearest), .ShiftMin(ShiftMin), .ShiftGroups(ShiftGroups),
     .FilterFrac(FilterFrac)
@@ -67,26 +67,26 @@ module ptm_evaluator_steps #(
   );
 
   logic signed [SumW-1:0] acc;
-  ptm_sum #(
+  ptm_evaluator_sum #(
     .TermW(TermW), .SumW(SumW)
   ) u_sum (
     .t0_i(t0), .t1_i(t1), .t2_i(t2), .t3_i(t3), .t4_i(t4), .t5_i(t5), .acc_o(acc)
   );
 
-  ptm_luminance #(
+  ptm_evaluator_luminance #(
     .SumW(SumW), .Guard(Guard), .LumBits(LumBits), .LumFrac(LumFrac), .RoundNearest(RoundNearest)
   ) u_luminance (
     .acc_i(acc), .lum_o(lum_o), .saturated_o(lum_saturated_o)
   );
 
   logic [ProductW-1:0] red, green, blue;
-  ptm_color_products #(
+  ptm_evaluator_color_products #(
     .LumW(LumW), .RgbW(RgbW)
   ) u_color_products (
     .lum_i(lum_o), .rgb_i(rgb_i), .red_o(red), .green_o(green), .blue_o(blue)
   );
 
-  ptm_color_scale #(
+  ptm_evaluator_color_scale #(
     .LumBits(LumBits), .LumFrac(LumFrac), .FilterFrac(FilterFrac), .RoundNearest(RoundNearest)
   ) u_color_scale (
     .red_i(red), .green_i(green), .blue_i(blue), .lum_i(lum_o), .rgb_map_i(rgb_map_i),

@@ -247,7 +247,7 @@ std::vector<std::unique_ptr<Claim>> step_claims(const EvalConfig& config) {
 std::unique_ptr<Claim> lerp_claim(reference::Rounding rounding, int bits) {
   auto claim = std::make_unique<Claim>();
   claim->name = "lerp";
-  claim->module = "ptm_lerp";
+  claim->module = "ptm_arith_lerp";
   claim->parameters = {{"Width", bits},
                        {"RoundNearest", rounding == reference::Rounding::nearest ? 1 : 0}};
   const Symbolic a = claim->netlist.input("a", bits, false);

@@ -32,7 +32,7 @@ class UnusableCache : public std::runtime_error {
   std::string folder, reason;
 };
 
-/// "Name=value" of every parameter of rtl/ptm_evaluator.sv, and of rtl/ptm_unit.sv.
+/// "Name=value" of every parameter of rtl/evaluator/ptm_evaluator.sv, and of rtl/ptm_unit.sv.
 [[nodiscard]] std::vector<std::string> evaluator_parameters(const reference::EvalConfig& config);
 [[nodiscard]] std::vector<std::string> rtl_parameters(const reference::EvalConfig& config,
                                                       const reference::UnitConfig& unit);

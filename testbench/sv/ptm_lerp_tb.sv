@@ -13,12 +13,12 @@ module ptm_lerp_tb (
   assign nearest8_o  = 16'(nearest8);
   assign truncate8_o = 16'(truncate8);
 
-  ptm_lerp #(.Width(8), .RoundNearest(1))
+  ptm_arith_lerp #(.Width(8), .RoundNearest(1))
     u_nearest8 (.a_i(a_i[7:0]), .b_i(b_i[7:0]), .f_i(f_i), .y_o(nearest8));
-  ptm_lerp #(.Width(8), .RoundNearest(0))
+  ptm_arith_lerp #(.Width(8), .RoundNearest(0))
     u_truncate8 (.a_i(a_i[7:0]), .b_i(b_i[7:0]), .f_i(f_i), .y_o(truncate8));
-  ptm_lerp #(.Width(16), .RoundNearest(1))
+  ptm_arith_lerp #(.Width(16), .RoundNearest(1))
     u_nearest16 (.a_i(a_i), .b_i(b_i), .f_i(f_i), .y_o(nearest16_o));
-  ptm_lerp #(.Width(16), .RoundNearest(0))
+  ptm_arith_lerp #(.Width(16), .RoundNearest(0))
     u_truncate16 (.a_i(a_i), .b_i(b_i), .f_i(f_i), .y_o(truncate16_o));
 endmodule

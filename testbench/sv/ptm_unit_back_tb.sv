@@ -102,7 +102,7 @@ module ptm_unit_back_tb #(
   logic [11:0] table_data;
   logic [5:0]  inc_effects;
   logic [25:0] mem_base;
-  ptm_unit_registers #(
+  ptm_registers #(
     .CoefBits(CoefBits)
   ) u_registers (
     .effects_o(effects), .table_we_o(table_we), .table_addr_o(table_addr),
@@ -112,7 +112,8 @@ module ptm_unit_back_tb #(
     .checking_o(checking_o), .irq_o(irq_o), .busy_i(busy_i), .accepted_i(accepted_i),
     .last_taken_i(last_taken_i), .invalidate_o(invalidate_o), .clear_o(clear_o),
     .mem_error_i(mem_error_i), .mem_error_tag_i(mem_error_tag_i), .mem_failed_i(mem_failed_i),
-    .draining_i(1'b0), .mem_base_o(mem_base), .counter_number_o(counter_number), .counter_i(counter),
+    .draining_i(1'b0), .mem_base_o(mem_base), .counter_number_o(counter_number),
+    .counter_i(counter),
     .capabilities_i(capabilities), .pal_lrgb_we_o(pal_lrgb_we),
     .pal_lrgb_addr_o(pal_lrgb_addr), .pal_rgb_we_o(pal_rgb_we), .pal_rgb_addr_o(pal_rgb_addr),
     .pal_data_o(pal_data), .pal_upper_o(pal_upper)
@@ -195,7 +196,7 @@ module ptm_unit_back_tb #(
   assign inc_palette_o            = 8'(inc_palette);
   assign inc_combine_o            = 8'(inc_combine);
   assign inc_eval_o               = 8'(inc_eval);
-  ptm_unit_back #(
+  ptm_back #(
     `include "contract/ptm_unit_back_map.svh"
   ) u_dut (
     .effects_i(effects), .table_we_i(table_we), .table_addr_i(table_addr),

@@ -65,26 +65,28 @@ TEST(StalledEvaluatorFlow, MakesOfAWaitingPixelWhatTheStepsMakeOfIt) {
 }
 
 TEST(EvaluatorFlowIfChanged, FailsForAFieldThatTheTailLoses) {
-  const tests::ChangedRtl colour("rtl/ptm_evaluator.sv", "head_rgb_q      <= tail_rgb_q",
+  const tests::ChangedRtl colour("rtl/evaluator/ptm_evaluator.sv", "head_rgb_q      <= tail_rgb_q",
                                  "head_rgb_q      <= ~tail_rgb_q");
   EXPECT_EQ(ask(reference::kPaper8, kStalledLrgb, colour.files()).verdict, Verdict::fails);
   // Passes that come while the FIFO is full.
-  const tests::ChangedRtl passes("rtl/ptm_rgb_assemble.sv", "if (valid_i && !last) begin",
+  const tests::ChangedRtl passes("rtl/evaluator/ptm_evaluator_assemble.sv",
+                                 "if (valid_i && !last) begin",
                                  "if (valid_i && !last && ready_i) begin");
   EXPECT_EQ(ask(reference::kPaper8, kThirdRgb, passes.files()).verdict, Verdict::fails);
 }
 
 TEST(EvaluatorFlowIfChanged, FailsForAFieldOfAnotherBeat) {
   // Red's factor one stage late: wrong only where the beat behind has another colour.
-  const tests::ChangedRtl changed("rtl/ptm_evaluator.sv", ".lum_i(r5_lum_q), .rgb_i(r5_rgb_q)",
+  const tests::ChangedRtl changed("rtl/evaluator/ptm_evaluator.sv",
+                                  ".lum_i(r5_lum_q), .rgb_i(r5_rgb_q)",
                                   ".lum_i(r5_lum_q), .rgb_i({r5_rgb_q[3*RgbW-1:RgbW], "
                                   "r4_rgb_q[RgbW-1:0]})");
   EXPECT_EQ(ask(reference::kPaper8, kLrgb, changed.files()).verdict, Verdict::fails);
 }
 
 TEST(EvaluatorFlowIfChanged, FailsForPassesThatAreAssembledInAnotherOrder) {
-  const tests::ChangedRtl changed("rtl/ptm_rgb_assemble.sv", "{lum_i, lum1_q, lum0_q}",
-                                  "{lum_i, lum0_q, lum1_q}");
+  const tests::ChangedRtl changed("rtl/evaluator/ptm_evaluator_assemble.sv",
+                                  "{lum_i, lum1_q, lum0_q}", "{lum_i, lum0_q, lum1_q}");
   EXPECT_EQ(ask(reference::kPaper8, kRgb, changed.files()).verdict, Verdict::fails);
 }
 
@@ -240,7 +242,7 @@ TEST(EvaluatorRegisters, ThatDoOtherwiseAreFound) {
        "stage 4"},
       {"r3_t5_q  <= t5;", "r3_t5_q  <= t5 ^ TermW'(r1_d0_q[0]);", "stage 3"}};
   for (const auto& [from, to, stage] : changes) {
-    const tests::ChangedRtl changed("rtl/ptm_evaluator.sv", from, to);
+    const tests::ChangedRtl changed("rtl/evaluator/ptm_evaluator.sv", from, to);
     const std::string wrong = wrong_registers(evaluator_cells(changed.files()));
     EXPECT_NE(wrong.find(stage), std::string::npos) << to << wrong;
   }

@@ -67,7 +67,7 @@ TEST(LerpClaim, HoldsForEveryInputOfEveryWidth) {
 }
 
 TEST(LerpClaim, FailsForAChangedModule) {
-  const tests::ChangedRtl changed("rtl/ptm_lerp.sv", "{a_i, Half} + product",
+  const tests::ChangedRtl changed("rtl/arith/ptm_arith_lerp.sv", "{a_i, Half} + product",
                                   "{a_i, Half} + product + SumW'(a_i == 200 && b_i == 17)");
   const Answer answer = prove(*lerp_claim(reference::Rounding::nearest, 8), changed.files());
   EXPECT_EQ(answer.verdict, Verdict::fails);
@@ -96,18 +96,22 @@ TEST_P(StepClaimsOf, AChangedModuleFailsWithTheInputThatShowsIt) {
 INSTANTIATE_TEST_SUITE_P(
     Base, StepClaimsOf,
     testing::Values(
-        Mutant{"unpack", "rtl/ptm_unpack.sv", "coef - bias;",
+        Mutant{"unpack", "rtl/evaluator/ptm_evaluator_unpack.sv", "coef - bias;",
                "coef - bias - (&coef[StoredW-1:0] && &bias[CoefBits-1:0]);"},
-        Mutant{"basis", "rtl/ptm_basis.sv", "assign uv = lu * lv;",
+        Mutant{"basis", "rtl/evaluator/ptm_evaluator_basis.sv", "assign uv = lu * lv;",
                "assign uv = lu * lv + (lu == -3 && lv == 7 ? SquareW'(256) : SquareW'(0));"},
-        Mutant{"products", "rtl/ptm_products.sv", "p5_o = d5_i", "p5_o = d5_i == 5 ? 'x : d5_i"},
-        Mutant{"align", "rtl/ptm_narrow.sv", "(InBits+1)'(1)", "(InBits+1)'(!(&x_i[8:0]))"},
-        Mutant{"sum", "rtl/ptm_sum.sv", "SumW'(t5_i)", "SumW'($unsigned(t5_i))"},
-        Mutant{"luminance", "rtl/ptm_luminance.sv", "negative || above",
+        Mutant{"products", "rtl/evaluator/ptm_evaluator_products.sv", "p5_o = d5_i",
+               "p5_o = d5_i == 5 ? 'x : d5_i"},
+        Mutant{"align", "rtl/arith/ptm_arith_narrow.sv", "(InBits+1)'(1)",
+               "(InBits+1)'(!(&x_i[8:0]))"},
+        Mutant{"sum", "rtl/evaluator/ptm_evaluator_sum.sv", "SumW'(t5_i)",
+               "SumW'($unsigned(t5_i))"},
+        Mutant{"luminance", "rtl/evaluator/ptm_evaluator_luminance.sv", "negative || above",
                "(negative && acc_i != -9) || above"},
-        Mutant{"color_products", "rtl/ptm_color_products.sv", "blue_o  = ProductW'(lum_i)",
+        Mutant{"color_products", "rtl/evaluator/ptm_evaluator_color_products.sv",
+               "blue_o  = ProductW'(lum_i)",
                "blue_o  = ProductW'(lum_i & {LumW{rgb_i[7:0] != 8'd77}})"},
-        Mutant{"color_scale", "rtl/ptm_divide_255.sv", "128", "127"}),
+        Mutant{"color_scale", "rtl/arith/ptm_arith_divide_255.sv", "128", "127"}),
     [](const auto& test) { return std::string(test.param.step); });
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(StreamChain, FailsIfChanged) {
       {"& ~stalled;", "& ~stalled & {Stages{ready_i}};"},        // bubbles stay open
       {"{valid_i, valid_q[1:Stages-1]}", "{Stages{valid_i}}"}};  // makes items up
   for (const auto& [from, to] : changes) {
-    const tests::ChangedRtl changed("rtl/ptm_stream_chain.sv", from, to);
+    const tests::ChangedRtl changed("rtl/stream/ptm_stream_chain.sv", from, to);
     EXPECT_EQ(ask("ptm_stream_chain_properties", changed.files()).verdict, Verdict::fails) << to;
   }
 }
@@ -43,7 +43,7 @@ TEST(StreamFifo2, FailsIfChanged) {
       {"pop && tail_valid_q", "1'b0"},              // never moves up
       {"ready_o = !tail_valid_q", "ready_o = 1'b1"}};
   for (const auto& [from, to] : changes) {
-    const tests::ChangedRtl changed("rtl/ptm_stream_fifo2.sv", from, to);
+    const tests::ChangedRtl changed("rtl/stream/ptm_stream_fifo2.sv", from, to);
     EXPECT_EQ(ask("ptm_stream_fifo2_properties", changed.files()).verdict, Verdict::fails) << to;
   }
 }

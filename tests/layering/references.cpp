@@ -343,7 +343,7 @@ class Checker {
       const std::size_t after = at + 3 + (stands_at(text, at + 3, "s") ? 1 : 0);
       std::size_t end = text.size();
       if (stands_at(text, after, "  ")) {
-        end = text.find('\n', after);  // "Twin      rtl/ptm_lerp.sv"
+        end = text.find('\n', after);  // "Twin      rtl/arith/ptm_arith_lerp.sv"
       } else if (stands_at(text, after, ":") || stands_at(text, after, " of ")) {
         const std::string sentence = spaces_joined(text.substr(after));
         check_twin(at - 1, sentence.substr(0, sentence.find(". ")));

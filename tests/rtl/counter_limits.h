@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-/// The counters near 2^32 and 2^64, for a Verilated ptm_unit_counters with a stage of effects.
+/// The counters near 2^32 and 2^64, for a Verilated ptm_registers_counters with a stage of effects.
 /// Includes nothing of this project: tests compile it against changed RTL too.
 namespace ptm::tests {
 

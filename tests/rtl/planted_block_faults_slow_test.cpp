@@ -57,8 +57,9 @@ TEST_P(PlantedBlockFault, IsNoticedByTheCheckOfItsBlock) {
 
 /// tests/rtl/rtl_counter_limits_test.cpp
 Block counters() {
-  return {{"rtl/contract/ptm_register_pkg.sv", "rtl/ptm_unit_pkg.sv", "rtl/ptm_unit_counters.sv"},
-          "ptm_unit_counters -GStages=1",
+  return {{"rtl/contract/ptm_register_pkg.sv", "rtl/ptm_unit_pkg.sv",
+           "rtl/registers/ptm_registers_counters.sv"},
+          "ptm_registers_counters -GStages=1",
           "tests/rtl/counter_limits.h",
           "ptm::tests::check_counter_limits<Vblock>()"};
 }
@@ -66,14 +67,14 @@ Block counters() {
 INSTANTIATE_TEST_SUITE_P(
     Counters, PlantedBlockFault,
     testing::Values(
-        BlockFault{{"CarryOfASharedCounter", "rtl/ptm_unit_counters.sv",
+        BlockFault{{"CarryOfASharedCounter", "rtl/registers/ptm_registers_counters.sv",
                     "count_q[n] = count_q[n] + 64'(increment) + "
                     "(Idle ? idle_q : 64'd0);",
                     "count_q[n][31:0] = 32'(count_q[n] + 64'(increment) + "
                     "(Idle ? idle_q : 64'd0));"},
                    counters(),
                    "counter 0 from 4294967276"},
-        BlockFault{{"CarryOfADrawsCounter", "rtl/ptm_unit_counters.sv",
+        BlockFault{{"CarryOfADrawsCounter", "rtl/registers/ptm_registers_counters.sv",
                     "draw_count_q[4*d+3] = draw_count_q[4*d+3] + 64'(misses_color);",
                     "draw_count_q[4*d+3][31:0] = 32'(draw_count_q[4*d+3] + 64'(misses_color));"},
                    counters(),
@@ -83,9 +84,10 @@ INSTANTIATE_TEST_SUITE_P(
 /// tests/rtl/rtl_tag_bank_test.cpp
 Block tag_bank(unsigned ways) {
   const std::string number = std::to_string(ways);
-  return {{"rtl/ptm_pkg.sv", "rtl/ptm_unit_pkg.sv", "rtl/ptm_unit_front_pkg.sv", "rtl/ptm_ram.sv",
-           "rtl/ptm_register_file.sv", "rtl/ptm_unit_tag_copy.sv", "rtl/ptm_unit_tag_bank.sv"},
-          "ptm_unit_tag_bank -GSets=4 -GTmus=3 -GTmu=1 -GWays=" + number,
+  return {{"rtl/ptm_pkg.sv", "rtl/ptm_unit_pkg.sv", "rtl/front/ptm_front_pkg.sv",
+           "rtl/memory/ptm_memory_ram.sv", "rtl/memory/ptm_memory_register_file.sv",
+           "rtl/front/ptm_front_tag_copy.sv", "rtl/front/ptm_front_tag_bank.sv"},
+          "ptm_front_tag_bank -GSets=4 -GTmus=3 -GTmu=1 -GWays=" + number,
           "tests/rtl/tag_bank_checks.h",
           "ptm::tests::check_tag_bank<Vblock>(" + number + ")"};
 }
@@ -96,44 +98,44 @@ constexpr const char* kCompare = "tags[w*LineBits +: LineBits] == line_i)";
 INSTANTIATE_TEST_SUITE_P(
     TagBanks, PlantedBlockFault,
     testing::Values(
-        BlockFault{{"TwoWaysSwapped", "rtl/ptm_unit_tag_bank.sv", kTouch,
+        BlockFault{{"TwoWaysSwapped", "rtl/front/ptm_front_tag_bank.sv", kTouch,
                     "if (2'(w ^ 1) == way) older_after[w*Ways + other] = 1'b0;"},
                    tag_bank(2),
                    "expected a miss at"},
-        BlockFault{{"FourWaysSwapped", "rtl/ptm_unit_tag_bank.sv", kTouch,
+        BlockFault{{"FourWaysSwapped", "rtl/front/ptm_front_tag_bank.sv", kTouch,
                     "if (2'(w ^ 1) == way) older_after[w*Ways + other] = 1'b0;"},
                    tag_bank(4),
                    "expected a miss at"},
-        BlockFault{{"HitDoesNotTouch", "rtl/ptm_unit_tag_bank.sv", ".write_i(look_up_i)",
+        BlockFault{{"HitDoesNotTouch", "rtl/front/ptm_front_tag_bank.sv", ".write_i(look_up_i)",
                     ".write_i(allocates)"},
                    tag_bank(4),
                    "expected a miss at"},
-        BlockFault{{"FourthWayNeverReplaced", "rtl/ptm_unit_tag_bank.sv",
+        BlockFault{{"FourthWayNeverReplaced", "rtl/front/ptm_front_tag_bank.sv",
                     "if ((older[w*Ways +: Ways] | Ways'(1 << w)) == '1) way = 2'(w);",
                     "if (w < 3 && (older[w*Ways +: Ways] | Ways'(1 << w)) == '1) way = 2'(w);"},
                    tag_bank(4),
                    "expected a miss at"},
-        BlockFault{{"TagComparedWithoutItsTopBit", "rtl/ptm_unit_tag_bank.sv", kCompare,
+        BlockFault{{"TagComparedWithoutItsTopBit", "rtl/front/ptm_front_tag_bank.sv", kCompare,
                     "tags[w*LineBits +: LineBits] << 1 == line_i << 1)"},
                    tag_bank(2),
                    "a hit at"},
-        BlockFault{{"TagComparedWithoutItsLowestBit", "rtl/ptm_unit_tag_bank.sv", kCompare,
+        BlockFault{{"TagComparedWithoutItsLowestBit", "rtl/front/ptm_front_tag_bank.sv", kCompare,
                     "tags[w*LineBits +: LineBits] >> 1 == line_i >> 1)"},
                    tag_bank(1),
                    "a hit at"},
-        BlockFault{{"TagWrittenAsItIsReadIsMissed", "rtl/ptm_unit_tag_bank.sv",
+        BlockFault{{"TagWrittenAsItIsReadIsMissed", "rtl/front/ptm_front_tag_bank.sv",
                     "late_q <= allocates && read_set == set;", "late_q <= 1'b0;"},
                    tag_bank(2),
                    "expected a hit at"},
-        BlockFault{{"DuplicateOnlyInWay0OfTwo", "rtl/ptm_unit_tag_copy.sv", "if (valid_q[w] && tag",
-                    "if (w == 0 && valid_q[w] && tag"},
+        BlockFault{{"DuplicateOnlyInWay0OfTwo", "rtl/front/ptm_front_tag_copy.sv",
+                    "if (valid_q[w] && tag", "if (w == 0 && valid_q[w] && tag"},
                    tag_bank(2),
                    "missed line is not held"},
-        BlockFault{{"DuplicateOnlyInThreeWaysOfFour", "rtl/ptm_unit_tag_copy.sv",
+        BlockFault{{"DuplicateOnlyInThreeWaysOfFour", "rtl/front/ptm_front_tag_copy.sv",
                     "if (valid_q[w] && tag", "if (w < 3 && valid_q[w] && tag"},
                    tag_bank(4),
                    "missed line is not held"},
-        BlockFault{{"DuplicateComparedOnFewerBits", "rtl/ptm_unit_tag_copy.sv",
+        BlockFault{{"DuplicateComparedOnFewerBits", "rtl/front/ptm_front_tag_copy.sv",
                     "tag[w*LineBits +: LineBits] == line_i",
                     "tag[w*LineBits +: LineBits] << 1 == line_i << 1"},
                    tag_bank(4),

@@ -30,7 +30,7 @@ class RtlLintBack : public testing::TestWithParam<const char*> {};
 TEST_P(RtlLintBack, TheUnitsBackIsClean) {
   const tests::ToolRun run = tests::run_tool(
       "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f -f rtl/unit.f --top-module "
-      "ptm_unit_back " +
+      "ptm_back " +
       std::string(GetParam()));
   EXPECT_EQ(run.status, 0) << run.output;
   EXPECT_EQ(run.output, "");
@@ -46,14 +46,14 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RtlLintRegisters, TheUnitsRegistersAreClean) {
   const tests::ToolRun run = tests::run_tool(
       "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f -f rtl/unit.f "
-      "--top-module ptm_unit_registers");
+      "--top-module ptm_registers");
   EXPECT_EQ(run.status, 0) << run.output;
   EXPECT_EQ(run.output, "");
 }
 
 TEST(RtlLintLerp, TheLerpIsClean) {
   const tests::ToolRun run = tests::run_tool(
-      "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f --top-module ptm_lerp");
+      "verilator --lint-only -Wall -Irtl rtl/lint.vlt -f rtl/files.f --top-module ptm_arith_lerp");
   EXPECT_EQ(run.status, 0) << run.output;
   EXPECT_EQ(run.output, "");
 }

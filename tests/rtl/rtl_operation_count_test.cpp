@@ -13,7 +13,8 @@ namespace {
 using Counts = std::map<std::string, int>;           ///< operator -> how many
 using ModuleCounts = std::map<std::string, Counts>;  ///< module, without parameters -> its own
 
-/// "$paramod$<hash>\ptm_sum" and "$paramod\ptm_sum\TermW=..." are ptm_sum.
+/// "$paramod$<hash>\ptm_evaluator_sum" and "$paramod\ptm_evaluator_sum\TermW=..." are
+/// ptm_evaluator_sum.
 std::string base_name(const std::string& module) {
   const std::size_t begin = module.find("ptm_");
   if (begin == std::string::npos) return module;
@@ -97,17 +98,19 @@ TEST_P(RtlOperationCount, IsElevenMultipliesAndFiveAddsInTheModulesOfD2D3D5AndD7
     for (const auto& [type, count] : own) std::cout << ' ' << type << ' ' << count;
     std::cout << '\n';
   }
-  const auto arithmetic = {"ptm_basis", "ptm_products", "ptm_sum", "ptm_color_products"};
+  const auto arithmetic = {"ptm_evaluator_basis", "ptm_evaluator_products", "ptm_evaluator_sum",
+                           "ptm_evaluator_color_products"};
   EXPECT_EQ(sum_of(counts_, arithmetic, "$mul"), 11);
   EXPECT_EQ(sum_of(counts_, arithmetic, "$add"), 5);
-  EXPECT_EQ(sum_of(counts_, {"ptm_basis"}, "$mul"), 3);
-  EXPECT_EQ(sum_of(counts_, {"ptm_products"}, "$mul"), 5);
-  EXPECT_EQ(sum_of(counts_, {"ptm_color_products"}, "$mul"), 3);
-  EXPECT_EQ(sum_of(counts_, {"ptm_sum"}, "$add"), 5);
+  EXPECT_EQ(sum_of(counts_, {"ptm_evaluator_basis"}, "$mul"), 3);
+  EXPECT_EQ(sum_of(counts_, {"ptm_evaluator_products"}, "$mul"), 5);
+  EXPECT_EQ(sum_of(counts_, {"ptm_evaluator_color_products"}, "$mul"), 3);
+  EXPECT_EQ(sum_of(counts_, {"ptm_evaluator_sum"}, "$add"), 5);
 }
 
 TEST_P(RtlOperationCount, FindsNothingButMultipliesAndAddsInThoseModules) {
-  for (const char* module : {"ptm_basis", "ptm_products", "ptm_sum", "ptm_color_products"}) {
+  for (const char* module : {"ptm_evaluator_basis", "ptm_evaluator_products", "ptm_evaluator_sum",
+                             "ptm_evaluator_color_products"}) {
     for (const auto& [type, count] : counts_.at(module)) {
       EXPECT_TRUE(type == "$mul" || type == "$add") << module << " holds " << count << ' ' << type;
     }
@@ -115,8 +118,10 @@ TEST_P(RtlOperationCount, FindsNothingButMultipliesAndAddsInThoseModules) {
 }
 
 TEST_P(RtlOperationCount, FindsNoMultiplyInAnyOtherModule) {
-  for (const char* module : {"ptm_unpack", "ptm_align", "ptm_align_term", "ptm_luminance",
-                             "ptm_narrow", "ptm_divide_255", "ptm_color_scale"}) {
+  for (const char* module :
+       {"ptm_evaluator_unpack", "ptm_evaluator_align", "ptm_evaluator_align_term",
+        "ptm_evaluator_luminance", "ptm_arith_narrow", "ptm_arith_divide_255",
+        "ptm_evaluator_color_scale"}) {
     EXPECT_EQ(sum_of(counts_, {module}, "$mul"), 0) << module;
   }
   int all = 0;
@@ -139,12 +144,11 @@ TEST(RtlUnitOperationCount, TheBackMultipliesInLerpsCombineAndEvaluatorOnly) {
     const std::string json =
         tests::scratch_file("unit_operation_count_" + std::to_string(tmus) + ".json");
     const std::string script = read_all({"rtl/files.f", "rtl/unit.f"}) + "; chparam -set Tmus " +
-                               std::to_string(tmus) + " ptm_unit_back" +
-                               write_top("ptm_unit_back", json);
-    const ModuleCounts counts = run_yosys(script, "ptm_unit_back", json);
+                               std::to_string(tmus) + " ptm_back" + write_top("ptm_back", json);
+    const ModuleCounts counts = run_yosys(script, "ptm_back", json);
     const int lanes = 4 * tmus + 14, fields = 26;
-    EXPECT_EQ(sum_of(counts, {"ptm_lerp"}, "$mul"), 3 * lanes + fields) << tmus;
-    EXPECT_EQ(sum_of(counts, {"ptm_combine_products"}, "$mul"), 6) << tmus;
+    EXPECT_EQ(sum_of(counts, {"ptm_arith_lerp"}, "$mul"), 3 * lanes + fields) << tmus;
+    EXPECT_EQ(sum_of(counts, {"ptm_back_combine_products"}, "$mul"), 6) << tmus;
     int all = 0;
     for (const auto& [module, own] : counts) {
       for (const auto& [type, count] : own) {
@@ -193,8 +197,8 @@ TEST(RtlUnitEffectCells, AUnitWithoutEffectsIsThatOfATableWithoutStagesCellByCel
   EXPECT_EQ(with, without);
   for (const auto& [module, own] : with) {
     EXPECT_EQ(module.find("ptm_effect"), std::string::npos) << module;
-    for (const char* name :
-         {"ptm_filter_sets", "ptm_extra_passes", "ptm_half_fifo", "ptm_by_draw"}) {
+    for (const char* name : {"ptm_filter_sets", "ptm_filter_extra_passes",
+                             "ptm_back_half_vector_fifo", "ptm_registers_by_draw"}) {
       EXPECT_NE(module, name);
     }
   }
@@ -206,7 +210,7 @@ TEST(RtlUnitEffectCells, AUnitWithoutEffectsIsThatOfATableWithoutStagesCellByCel
 /// docs/spec/effects.md: a multiply a field of a set, one of the power (its lerp is not there
 /// without fraction bits), three of modulate; evaluator and lanes are shared.
 TEST(RtlUnitEffectCells, MultiplyInFieldsAndStagesOnly) {
-  const int plain = all_of(count_unit("", tests::effect_files(), "ptm_unit_back"), "$mul");
+  const int plain = all_of(count_unit("", tests::effect_files(), "ptm_back"), "$mul");
   struct Built {
     const char* name;
     std::string parameters;
@@ -215,7 +219,7 @@ TEST(RtlUnitEffectCells, MultiplyInFieldsAndStagesOnly) {
   for (const Built& built :
        {Built{"specular", kSpecular, 1}, Built{"effects", kEffects, 24 + 1 + 3},
         Built{"specular, lum_frac 4", std::string(kSpecular) + " -set LumFrac 4", 2}}) {
-    const auto counts = count_unit(built.parameters, tests::effect_files(), "ptm_unit_back");
+    const auto counts = count_unit(built.parameters, tests::effect_files(), "ptm_back");
     const int multiplies = all_of(counts, "$mul");
     std::cout << built.name << ": " << multiplies << " $mul, " << plain << " without effects\n";
     EXPECT_EQ(multiplies, plain + built.more) << built.name;
@@ -227,7 +231,7 @@ std::uint64_t flip_flops_of_the_front(const std::string& parameters) {
   const tests::ToolRun run = tests::run_tool(
       "yosys -p \"" + read_all({"rtl/files.f", "rtl/unit.f"}) +
       "; chparam -set CacheKib 1 -set FragmentFifo 4 -set MissFifo 12 " + parameters +
-      " ptm_unit_front; hierarchy -check -top ptm_unit_front; proc; opt_clean; memory_collect; "
+      " ptm_front; hierarchy -check -top ptm_front; proc; opt_clean; memory_collect; "
       "stat -width\"");
   EXPECT_EQ(run.status, 0) << run.output;
   std::istringstream lines(run.output.substr(run.output.find("=== design hierarchy ===")));

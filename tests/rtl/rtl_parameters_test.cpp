@@ -251,12 +251,12 @@ TEST(StagesParameter, NamesStagesThatTheBuildHas) {
 }
 
 TEST(LerpParameters, StopElaborationWhereTheyAreIllegal) {
-  const std::string files = " rtl/ptm_pkg.sv rtl/ptm_lerp.sv";
+  const std::string files = " rtl/ptm_pkg.sv rtl/arith/ptm_arith_lerp.sv";
   for (const Set& set : {Set{"Width=16", ""}, Set{"Width=0", "Width_not_1_or_more"},
                          Set{"RoundNearest=2", "RoundNearest_not_0_or_1"}}) {
-    expect("Verilator", verilator("ptm_lerp", "-f rtl/files.f", set), set);
-    expect("Yosys", yosys("ptm_lerp", files, set), set);
-    expect("Icarus Verilog", icarus("ptm_lerp", files, set), set);
+    expect("Verilator", verilator("ptm_arith_lerp", "-f rtl/files.f", set), set);
+    expect("Yosys", yosys("ptm_arith_lerp", files, set), set);
+    expect("Icarus Verilog", icarus("ptm_arith_lerp", files, set), set);
   }
 }
 

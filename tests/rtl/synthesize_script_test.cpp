@@ -59,7 +59,7 @@ TEST(NetlistBench, TakesTheRtlInIverilogAndFindsAPlantedFault) {
   const auto verdict = [&](const std::string& sum) {
     std::string sources;
     for (const std::string& file : rtl_files()) {
-      sources += ' ' + (file == "rtl/ptm_sum.sv" ? "'" + sum + "'" : file);
+      sources += ' ' + (file == "rtl/evaluator/ptm_evaluator_sum.sv" ? "'" + sum + "'" : file);
     }
     const std::string bench = (folder / "bench.vvp").string();
     const ToolRun run = run_tool("iverilog -g2012 -DYOSYS -Irtl -s ptm_netlist_tb -o '" + bench +
@@ -68,8 +68,8 @@ TEST(NetlistBench, TakesTheRtlInIverilogAndFindsAPlantedFault) {
     EXPECT_EQ(run.status, 0) << run.output;
     return run.output;
   };
-  EXPECT_EQ(verdict("rtl/ptm_sum.sv"), "PASS 500 vectors\n");
-  std::ifstream file(std::string(PTM_SOURCE_DIR) + "/rtl/ptm_sum.sv");
+  EXPECT_EQ(verdict("rtl/evaluator/ptm_evaluator_sum.sv"), "PASS 500 vectors\n");
+  std::ifstream file(std::string(PTM_SOURCE_DIR) + "/rtl/evaluator/ptm_evaluator_sum.sv");
   std::ostringstream text;
   text << file.rdbuf();
   std::string changed = text.str();

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// One tag bank of a TMU's cache, for a Verilated ptm_unit_tag_bank of four sets, whose own TMU is
+/// One tag bank of a TMU's cache, for a Verilated ptm_front_tag_bank of four sets, whose own TMU is
 /// the second of three, against a list of uses a set. Includes nothing of this project: tests
 /// compile it against changed RTL too.
 namespace ptm::tests {

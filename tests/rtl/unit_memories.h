@@ -7,8 +7,9 @@
 #include "tests/rtl/rtl_tools.h"
 #include "tests/scratch_folder.h"
 
-/// The memories of the whole unit as Yosys sees them: each is a ptm_ram, which becomes block RAM,
-/// or a ptm_register_file of at most 2 kbit; no array of more than that becomes flip-flops.
+/// The memories of the whole unit as Yosys sees them: each is a ptm_memory_ram, which becomes block
+/// RAM, or a ptm_memory_register_file of at most 2 kbit; no array of more than that becomes
+/// flip-flops.
 namespace ptm::tests {
 
 inline constexpr std::size_t kSmall = 2048;  ///< bits
@@ -106,8 +107,8 @@ class RtlMemories : public testing::TestWithParam<Unit> {
     std::size_t large = 0;
     for (const Memory& memory : found.memories) {
       SCOPED_TRACE(memory.module + ", " + std::to_string(memory.bits) + " bits");
-      EXPECT_TRUE(is_a(memory, "ptm_ram") || is_a(memory, "ptm_register_file"));
-      if (is_a(memory, "ptm_ram")) {
+      EXPECT_TRUE(is_a(memory, "ptm_memory_ram") || is_a(memory, "ptm_memory_register_file"));
+      if (is_a(memory, "ptm_memory_ram")) {
         EXPECT_TRUE(memory.registered);
       } else {
         EXPECT_LE(memory.bits, kSmall);

@@ -33,7 +33,7 @@ struct LevelChoice {
   int level = 0, weight = 0;
 };
 
-/// U1, one direction. Twin: rtl/ptm_unit_probe.sv.
+/// U1, one direction. Twin: rtl/front/ptm_front_probe.sv.
 [[nodiscard]] Value probe_coordinate(Value u, Value axis, int probe, int probes_log2);
 /// U2, one texture. Requires lod in 0 .. 4095, levels in 1 .. 13.
 [[nodiscard]] LevelChoice choose_level(Mip mip, Value lod, int levels);

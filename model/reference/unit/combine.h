@@ -21,7 +21,7 @@ struct CombineOperands {
 /// div255 is D7's division; its arguments are at most 255^2, so it needs no limit here.
 /// Multiplies  modulate 1, decal and blend 2, others none
 /// Error       half a level (nearest), one (truncate), before the limit
-/// Twin        rtl/ptm_combine.sv
+/// Twin        rtl/back/ptm_back_combine.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Int combine_channel(Rounding rounding, Combine combine,
                                                                 const CombineOperands<Int>& in) {

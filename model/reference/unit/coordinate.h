@@ -18,7 +18,7 @@ template <class Int>
 ///     clamp   limited to 0 .. 2^20 - 1
 ///
 /// Format    u signed, Q.20, of any width; the result is in 0 .. 2^20 - 1
-/// Twin      rtl/ptm_unit_wrap.sv
+/// Twin      rtl/front/ptm_front_wrap.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Int wrap_coordinate(Wrap wrap, Int u) {
   const StepScope<Int> scope(Step::wrap);
@@ -44,7 +44,7 @@ struct TexelPosition {
 /// Requires  wrapped in 0 .. 2^20 - 1, size in 1 .. 4096 (texels of the level)
 /// Error     s is within 1/512 of a texel of wrapped * size / 2^20 - 1/2, whatever EvalConfig's
 ///           rounding: the half that is added makes it the nearest
-/// Twin      rtl/ptm_unit_scale.sv
+/// Twin      rtl/front/ptm_front_scale.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr TexelPosition<Int> texel_position(bool bilinear,
                                                                               Int wrapped,

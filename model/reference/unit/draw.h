@@ -102,7 +102,7 @@ struct Draw {
 /// Error bits of `unit.md` and `effects.md`, "Legal"; 0 for a draw that a unit built so can draw
 /// from a memory of that size. A texture that the draw has not is not checked; addresses are
 /// checked only if all else is legal; how many planes a map has depends on the evaluator's
-/// coef_bits. Takes any values. Twin: rtl/ptm_draw_check.sv.
+/// coef_bits. Takes any values. Twin: rtl/registers/ptm_registers_draw_check.sv.
 enum DrawError : unsigned { kBadSize = 1, kBadLevels = 2, kBadAddress = 4, kBadControl = 8 };
 [[nodiscard]] unsigned check_draw(const Draw& draw, std::uint64_t memory_lines,
                                   const UnitConfig& unit = {}, const EvalConfig& config = {});

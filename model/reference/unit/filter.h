@@ -15,7 +15,7 @@ using Taps = std::array<Int, 4>;  ///< 00, 10, 01, 11
 ///
 /// Format    taps unsigned with filter_frac fraction bits, 0 where not fetched; weights Q0.8
 /// Error     below 1 unit (nearest), 2 units (truncate): one lerp's along u, one's along v
-/// Twin      rtl/ptm_filter_lane.sv
+/// Twin      rtl/filter/ptm_filter_lane.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Int bilinear(Rounding rounding, const Taps<Int>& taps,
                                                          Int wu, Int wv) {
@@ -30,7 +30,7 @@ template <class Int>
 ///
 ///     narrow(sum, probes_log2)
 ///
-/// Twin      rtl/ptm_filter_field.sv
+/// Twin      rtl/filter/ptm_filter_field.sv
 template <class Int>
 [[nodiscard, gnu::always_inline]] constexpr Int probe_mean(Rounding rounding, Int sum,
                                                            Int probes_log2) {

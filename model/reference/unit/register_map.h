@@ -7,7 +7,7 @@
 #include "model/reference/unit/unit_config.h"
 
 /// The register port's addresses, and what they hold: docs/spec/unit.md and docs/spec/effects.md,
-/// "Registers". Twin: rtl/ptm_unit_registers.sv.
+/// "Registers". Twin: rtl/registers/ptm_registers.sv.
 namespace ptm::reference {
 
 /// Addresses, made of contract/registers.toml.
