@@ -3,15 +3,20 @@
 
 namespace ptm::pipeline {
 
-/// F: reads the data banks of each TMU as the beat leaves for D.
+/// The register F: reads the data banks of each TMU as the beat leaves for D.
 ///
-/// The way from here to the sink is the same for every beat that nothing holds up. If one passed
-/// so, the next that is a whole fragment of one pass does too, for it comes at least a cycle later:
-/// no register on the way can bind it, nor what comes behind it. So such a beat's pixel is booked
-/// at once, and the registers are left with older items, which bind as little.
+/// A shortcut spares most beats the way through the blocks behind F. A *plain* beat is a whole
+/// fragment with one evaluator pass, so it spends one cycle in each register from D to the output.
+/// If a plain beat was held up nowhere, its pixel was taken kWay cycles after the beat entered F.
+/// A plain beat that comes next enters F at least a cycle later, so it finds each register on the
+/// way already emptied and is not held up either: its pixel is entered in the sink at once. The
+/// blocks behind F then still remember an older beat as their last one. That changes no cycle: in
+/// every register a beat that took the shortcut is at least a cycle ahead of all that come after
+/// it, so none of them would have waited for it.
 class Fetch final : public sc_core::sc_module {
  public:
-  /// `sink` is where `out` ends; `stalls`: it refuses in some cycles.
+  /// `sink` takes the pixels that come out behind `out`. `stalls`: the sink refuses them in some
+  /// cycles, so the shortcut must not be taken.
   Fetch(const sc_core::sc_module_name& name, Palette& out, UnitSink& sink, bool stalls)
       : sc_module(name), out_(out), sink_(sink), stalls_(stalls) {}
 
@@ -35,13 +40,15 @@ class Fetch final : public sc_core::sc_module {
   }
 
  private:
-  static constexpr Cycle kWay = 18;  // D, Q, P, L1 to L3, O, seven and the FIFO, C1, C2, pixel
+  /// Cycles from the transfer into F to that of the pixel, one for each register in between: F, D,
+  /// Q, P, L1, L2, L3, O, the evaluator's seven and its FIFO, C1, C2.
+  static constexpr Cycle kWay = 18;
 
   Palette& out_;
   UnitSink& sink_;
   bool stalls_;
   Cycle free_ = 0;
-  bool clear_ = false;  ///< the last beat was such a fragment, and nothing held it up
+  bool clear_ = false;  ///< the last beat was plain, and was held up nowhere
 };
 
 }  // namespace ptm::pipeline

@@ -13,8 +13,8 @@ void Tags::reset(bool keep_cache) {
   counters_ = {};
 }
 
-/// The distinct tiles of one texture's taps, in the order 00, 10, 01, 11 of the first that needs
-/// each.
+/// The different tiles that hold one texture's taps, at most four. They are ordered by the first
+/// tap that needs each of them, the taps' order being 00, 10, 01, 11. Returns how many there are.
 inline unsigned Tags::list_tiles(const UnitBeat& beat, const TexturePlan& texture,
                                  std::array<TilePlace, 4>& tiles) const {
   const FootprintTiles& at = (*beat.tiles)[static_cast<std::size_t>(texture.texture)];
@@ -35,7 +35,9 @@ inline unsigned Tags::list_tiles(const UnitBeat& beat, const TexturePlan& textur
   unsigned seen = 0;
   for (unsigned tap = 0; tap < reference::kTaps; ++tap) {
     if ((at.taps & beat.mask & (1U << tap)) == 0) continue;
-    // Tap tap & across | tap & down is the first of all that share this tile.
+    // Where both columns lie in one tile, taps 0 and 1 share it, and so do taps 2 and 3; likewise
+    // for rows. Masking away the bits that make no difference gives the lowest-numbered of the taps
+    // that share this tap's tile, which stands for the tile.
     const unsigned tile = tap & ((at.tx0 != at.tx1 ? 1U : 0U) | (at.ty0 != at.ty1 ? 2U : 0U));
     if ((seen & (1U << tile)) != 0) continue;
     seen |= 1U << tile;
@@ -46,13 +48,16 @@ inline unsigned Tags::list_tiles(const UnitBeat& beat, const TexturePlan& textur
   return count;
 }
 
+/// Looks up the lines of one word, a line for each tile, in its TMU's cache, and changes nothing in
+/// the cache. Sorts the look-ups into misses, hits on the line of their set that was used last,
+/// which need no update, and other hits (`older_`), which do.
 void Tags::look_up_word(const UnitBeat& beat, std::size_t tmu, std::uint32_t plane, unsigned count,
                         const std::array<TilePlace, 4>& tiles, std::size_t texture) {
   const TagCache& cache = caches_[tmu];
   unsigned misses = 0, older = 0;
   for (unsigned n = 0; n < count; ++n) {
     const LookUp at{map_.row(tiles[n], plane), tiles[n].line + plane};
-    if (cache.used_last(at.row, at.line)) continue;  // and stays it
+    if (cache.used_last(at.row, at.line)) continue;  // a use of it would change no order
     if (cache.holds(at.row, at.line)) {
       older_[tmu][older++] = at;
     } else {
@@ -65,6 +70,8 @@ void Tags::look_up_word(const UnitBeat& beat, std::size_t tmu, std::uint32_t pla
   counters_.misses[draw_of(beat)][texture] += misses;
 }
 
+/// Whether another TMU's cache holds the line in the same set and bank: the counter
+/// duplicate_lines.
 bool Tags::elsewhere(std::size_t tmu, const LookUp& at) const {
   for (std::size_t other = 0; other < caches_.size(); ++other) {
     if (other != tmu && caches_[other].holds(at.row, at.line)) return true;
@@ -72,7 +79,9 @@ bool Tags::elsewhere(std::size_t tmu, const LookUp& at) const {
   return false;
 }
 
-/// Hits that change nothing, the most common ones.
+/// Whether every look-up of the beat hits the line of its set that was used last. Such a beat
+/// misses nothing and changes no order of replacement, so only its hits need counting. It is by far
+/// the most common kind, which is why it is asked for first.
 bool Tags::all_used_last(const BeatPlan& plan, const std::array<unsigned, 2>& counts,
                          const std::array<std::array<TilePlace, 4>, 2>& tiles) const {
   for (std::size_t tmu = 0; tmu < plan.words; ++tmu) {
@@ -85,7 +94,8 @@ bool Tags::all_used_last(const BeatPlan& plan, const std::array<unsigned, 2>& co
   return true;
 }
 
-/// All look-ups of a beat on the state that the beat before left, then all changes.
+/// The beat's cycle of look-up in T, rule T2: all look-ups see the caches as the beat before left
+/// them; only then are hits marked as used and misses allocated.
 void Tags::look_up(UnitBeat& beat) {
   const BeatPlan& plan = *beat.plan;
   std::array<std::array<TilePlace, 4>, 2> tiles;
@@ -127,15 +137,19 @@ void Tags::look_up(UnitBeat& beat) {
   beat.ranks = ranks;
 }
 
-/// Returns the cycle in which the last rank, and with it the beat, leaves T.
+/// Pushes the beat's missing lines to the miss ring, one rank a cycle, as slots become free;
+/// `place` is the first cycle in which the fragment FIFO has a place for the beat. Returns the
+/// cycle in which the last rank is pushed, which is the one in which the beat leaves T.
 Cycle Tags::push_ranks(UnitBeat& beat, Cycle enter, Cycle place) {
   Cycle next = enter + 1;
   for (unsigned rank = 0; rank < beat.ranks; ++rank) {
     unsigned lines = 0;
     for (std::size_t tmu = 0; tmu < beat.plan->words; ++tmu) lines += miss_count_[tmu] > rank;
     const Cycle available = ring_.available(lines);
-    // K can be empty while slots are lacking in one cycle only: the one in which the beat that
-    // owns them moves from the FIFO to K, the cycle after it left T. All older ones have left K.
+    // Counter 6, cycles_ring_full: K is empty and this rank lacks slots. That can be so in one
+    // cycle only. The slots that are lacking belong to an earlier beat that has not left K yet. If
+    // K is empty, that beat is still in the FIFO; it must be the one just before this, all older
+    // ones having left K, and it is in the FIFO and not in K only in the cycle after it left T.
     if (rank == 0 && commit_empty_ && next == left_ + 1 && available > next) {
       ++counters_.ring_full;
     }
