@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "golden/files/figure_text.h"
+
 namespace ptm::golden {
 
 std::vector<EffectKey> coordinate_keys() {
@@ -31,7 +33,7 @@ void check_given_light(const EffectSpec& spec, EffectDraw& draw) {
   }
   const std::size_t pairs = effect_numbers(spec, "coordinates").size() / 2;
   if (pairs != 1 && pairs != draw.scene.lights.size()) {
-    fail_effect(spec, draw, std::to_string(pairs) + " pairs of coordinates",
+    fail_effect(spec, draw, count_of(pairs, "pair") + " of coordinates",
                 "one, or one for each [[light]]: " + std::to_string(draw.scene.lights.size()));
   }
 }

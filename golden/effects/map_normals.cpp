@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "golden/files/figure_text.h"
 #include "golden/geometry/direction.h"
 
 namespace ptm::golden {
@@ -133,8 +134,8 @@ MapNormals map_normals(const LoadedTexture& map) {
 }
 
 std::string without_maximum_note(const LoadedTexture& map, std::size_t count) {
-  return std::to_string(count) + " of " + std::to_string(map.texels()) + " texels of '" + map.name +
-         "' have no maximum within the disc of lights";
+  return std::to_string(count) + " of " + count_of(map.texels(), "texel") + " of '" + map.name +
+         (count == 1 ? "' has" : "' have") + " no maximum within the disc of lights";
 }
 
 }  // namespace ptm::golden

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/plane_codec.h"
 #include "golden/files/plane_plan.h"
 #include "golden/files/prediction.h"
@@ -35,7 +36,7 @@ std::vector<std::uint64_t> starts_of(const PtmFileInfo& info, const std::string&
   }
   if (at != info.file_bytes) {
     throw InputError(file, "byte " + std::to_string(std::min(at, info.file_bytes)) + " (payload)",
-                     std::to_string(info.file_bytes - info.header_bytes) + " bytes of payload",
+                     count_of(info.file_bytes - info.header_bytes, "byte") + " of payload",
                      std::to_string(at - info.header_bytes) + ", the sum of the listed sizes");
   }
   return starts;

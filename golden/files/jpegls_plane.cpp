@@ -4,6 +4,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/plane_codec.h"
 
 namespace ptm::golden {
@@ -17,8 +18,8 @@ void check_frame(const PlaneStream& stream, const charls::frame_info& frame, int
                  int height) {
   if (frame.component_count != 1 || frame.bits_per_sample != 8) {
     throw InputError(stream.file, stream.place,
-                     std::to_string(frame.component_count) + " components of " +
-                         std::to_string(frame.bits_per_sample) + " bits",
+                     count_of(frame.component_count, "component") + " of " +
+                         count_of(frame.bits_per_sample, "bit"),
                      "1 component of 8 bits");
   }
   constexpr std::uint64_t longest_run = 32768;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/light_directions.h"
 #include "golden/files/light_line.h"
 #include "golden/files/number_text.h"
@@ -108,7 +109,7 @@ class Reader {
                               line_place(comma_line_));
     }
     if (!count_ || (beyond_ == 0 && *count_ == lights_.size())) return;
-    std::string note = "the first line says " + std::to_string(*count_) + " lights, the file has " +
+    std::string note = "the first line says " + count_of(*count_, "light") + ", the file has " +
                        std::to_string(lights_.size() + beyond_);
     if (beyond_ > 0) note += "; what is beyond the count is not read";
     result_.notes.push_back(note);

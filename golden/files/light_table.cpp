@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/light_directions.h"
 #include "golden/files/number_table.h"
 #include "golden/files/number_text.h"
@@ -70,7 +71,7 @@ template <class Light>
 void keep_counted(std::optional<std::size_t> count, std::vector<Light>& lights,
                   std::vector<std::string>& notes) {
   if (!count || *count == lights.size()) return;
-  std::string note = "the first line says " + std::to_string(*count) + " lights, the file has " +
+  std::string note = "the first line says " + count_of(*count, "light") + ", the file has " +
                      std::to_string(lights.size());
   if (*count < lights.size()) {
     note += "; what is beyond the count is not read";

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/number_text.h"
 
 namespace ptm::golden {
@@ -120,8 +121,7 @@ std::vector<fs::path> pictures_of(const fs::path& folder, std::size_t lights,
   std::vector<fs::path> pictures = all_pictures(folder);
   if (pictures.size() != lights) {
     const std::string kinds = kinds_of(pictures);
-    throw InputError(folder.string(), "folder",
-                     std::to_string(pictures.size()) + " pictures" + kinds,
+    throw InputError(folder.string(), "folder", count_of(pictures.size(), "picture") + kinds,
                      std::to_string(lights) + ", one for each light of " + of_what);
   }
   std::sort(pictures.begin(), pictures.end(), [](const fs::path& a, const fs::path& b) {

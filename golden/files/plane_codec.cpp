@@ -1,5 +1,7 @@
 #include "golden/files/plane_codec.h"
 
+#include "golden/files/figure_text.h"
+
 namespace ptm::golden {
 
 void check_plane_size(const PlaneStream& stream, std::int64_t found_width,
@@ -13,8 +15,8 @@ void check_plane_size(const PlaneStream& stream, std::int64_t found_width,
   }
   if (least_bits > stream.bytes.size() * 8) {
     throw InputError(stream.file, stream.place,
-                     std::to_string(stream.bytes.size()) + " bytes for " + size + " texels",
-                     "at least " + std::to_string((least_bits + 7) / 8) + " bytes");
+                     count_of(stream.bytes.size(), "byte") + " for " + size + " texels",
+                     "at least " + count_of((least_bits + 7) / 8, "byte"));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/header_lines.h"
 #include "golden/files/lum_matrix.h"
 #include "golden/files/number_text.h"
@@ -128,7 +129,7 @@ void read_scales_and_biases(HeaderLines& lines, PtmHeader& header) {
   const std::string expected = "6 scales, or 6 scales and 6 biases";
   const Words words = lines.next("scales", expected);
   if (words.size() != 6 && words.size() != 12) {
-    lines.fail("scales", std::to_string(words.size()) + " words", expected);
+    lines.fail("scales", count_of(words.size(), "word"), expected);
   }
   for (std::size_t k = 0; k < 6; ++k) header.map.scale[k] = to_scale(lines, words[k]);
   if (words.size() == 12) {
@@ -139,7 +140,7 @@ void read_scales_and_biases(HeaderLines& lines, PtmHeader& header) {
   }
   const Words biases = lines.next("biases", "6 biases");
   if (biases.size() != 6) {
-    lines.fail("biases", std::to_string(biases.size()) + " words", "6 biases");
+    lines.fail("biases", count_of(biases.size(), "word"), "6 biases");
   }
   for (std::size_t k = 0; k < 6; ++k) header.map.bias[k] = to_bias(lines, biases[k]);
 }
@@ -186,7 +187,7 @@ std::vector<Number> read_list(HeaderLines& lines, const std::string& field, std:
   const std::string expected = std::to_string(count) + " whole numbers from " +
                                std::to_string(low) + " to " + std::to_string(high);
   const Words words = lines.next(field, expected);
-  if (words.size() != count) lines.fail(field, std::to_string(words.size()) + " words", expected);
+  if (words.size() != count) lines.fail(field, count_of(words.size(), "word"), expected);
   std::vector<Number> values;
   for (const std::string_view word : words) {
     const auto value = parse_integer(word, low, high);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "golden/files/figure_text.h"
+
 namespace ptm::golden {
 namespace {
 
@@ -66,13 +68,13 @@ void check_raw_size(const PtmHeader& header, const std::string& file) {
   if (texels > found || texels * per_texel > found) {
     throw InputError(
         file, "byte " + std::to_string(header.info.header_bytes + found) + " (payload)",
-        "the end of the file after " + std::to_string(found) + " bytes of payload", layout);
+        "the end of the file after " + count_of(found, "byte") + " of payload", layout);
   }
   const std::size_t expected = texels * per_texel;
   if (expected < found) {
     throw InputError(
         file, "byte " + std::to_string(header.info.header_bytes + expected) + " (payload)",
-        std::to_string(found - expected) + " more bytes",
+        count_of(found - expected, "more byte"),
         "the end of the file after " + std::to_string(expected) + " bytes (" + layout + ")");
   }
 }

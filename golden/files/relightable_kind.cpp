@@ -4,6 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "golden/files/figure_text.h"
+
 namespace ptm::golden {
 namespace {
 
@@ -32,8 +34,8 @@ std::optional<std::string> rti_kind(std::string_view head) {
   if (type == 2) basis = "of spherical harmonics (SH)";
   if (type == 3) basis = "of hemispherical harmonics (HSH)";
   return "a relightable picture (.rti) " + basis + ": " + std::to_string(width) + " x " +
-         std::to_string(height) + " texels, " + std::to_string(colors) + " colours, " +
-         std::to_string(terms) + " terms a colour";
+         std::to_string(height) + " texels, " + count_of(colors, "colour") + ", " +
+         count_of(terms, "term") + " a colour";
 }
 
 /// The text after "key": in a JSON text, without quotes; empty if the key is not there.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/file_kind.h"
 #include "golden/files/number_text.h"
 
@@ -28,7 +29,7 @@ OpenFile open_plain_file(const std::filesystem::path& path, const std::string& w
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && size > most_bytes) {
-    throw InputError(path.string(), "size", std::to_string(size) + " bytes",
+    throw InputError(path.string(), "size", count_of(size, "byte"),
                      what + " of at most " + std::to_string(most_bytes) + " bytes");
   }
   OpenFile file(std::fopen(path.c_str(), "rb"));

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "golden/files/figure_text.h"
+
 namespace ptm::golden {
 namespace {
 
@@ -51,7 +53,7 @@ LightCoverage cover_hemisphere(const LightSolver& solver) {
     if (limits[side] == 0 || (alike && side > 0)) continue;
     coverage.directions += std::string(coverage.directions.empty() ? "from " : ", from ") +
                            (alike ? "all sides" : names[side]) + " below " +
-                           std::to_string(limits[side]) + " degrees";
+                           count_of(limits[side], "degree");
   }
   coverage.extrapolated = static_cast<double>(beyond) / (kSides * kHeights);
   return coverage;

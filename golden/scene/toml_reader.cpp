@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/whole_file.h"
 
 namespace ptm::golden {
@@ -118,8 +119,7 @@ const toml::array& Reader::array(const toml::node& node, const std::string& key,
                                  std::size_t count) const {
   const toml::array& found = array(node, key);
   if (found.size() != count) {
-    fail(node, key, std::to_string(found.size()) + " elements",
-         std::to_string(count) + " elements");
+    fail(node, key, count_of(found.size(), "element"), count_of(count, "element"));
   }
   return found;
 }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <functional>
 
+#include "golden/files/figure_text.h"
 #include "model/reference/unit/unit_beats.h"
 #include "testbench/plan/effect_rows.h"
 #include "testbench/plan/golden_codes.h"
@@ -115,9 +116,7 @@ std::vector<std::string> asking(const golden::UnitScene& scene,
   return names;
 }
 
-std::string counted(int n, const std::string& one) {
-  return std::to_string(n) + " " + one + (n == 1 ? "" : one.ends_with("s") ? "es" : "s");
-}
+std::string counted(int n, const std::string& one) { return golden::count_of(n, one); }
 
 std::vector<PlannedBlock> plan_blocks(const golden::UnitScene& scene, const UnitConfig& unit) {
   std::vector<PlannedBlock> blocks;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "golden/bump/normal_map.h"
+#include "golden/files/figure_text.h"
 #include "golden/files/picture_file.h"
 #include "golden/files/picture_header.h"
 #include "golden/files/ptm_file.h"
@@ -97,8 +98,8 @@ void print_text(const Json& out) {
             << out["domain"].get<std::string>() << '\n';
   for (const char* which : {"real", "stored"}) {
     std::cout << "against max(0, N.L) over the hemisphere, " << which << ": "
-              << figure(out[which]["rmse"]) << " levels RMS, max " << figure(out[which]["max"])
-              << '\n';
+              << golden::count_of(figure(out[which]["rmse"]), "level") << " RMS, max "
+              << figure(out[which]["max"]) << '\n';
   }
   std::cout << "RMS by elevation of the light, ten degrees each from the horizon up:";
   for (const Json& band : out["stored"]["by_elevation"]) std::cout << ' ' << figure(band);

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "golden/files/figure_text.h"
 #include "testbench/compare/run_verdict.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/exit_code.h"
@@ -40,7 +41,8 @@ std::string value_text(const Json& value) {
 std::string pixel_text(const ModelPixels& pixels) {
   const FilePixels& worst = pixels.files.front();
   std::string text = grouped(pixels.differing) + " of " + grouped(pixels.samples) +
-                     " samples differ, at most " + plain_number(pixels.max) + " levels";
+                     " samples differ, at most " +
+                     golden::count_of(golden::four_digits(pixels.max), "level");
   if (pixels.pictures > 1) {
     text += ", in " + std::to_string(pixels.files.size()) + " of " +
             std::to_string(pixels.pictures) + " pictures";

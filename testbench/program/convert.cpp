@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/pending_file.h"
 #include "golden/files/ptm_file.h"
 #include "model/quantize/mip.h"
@@ -187,14 +188,15 @@ Json write_and_check(const ConvertOptions& options, const std::string& name,
 }
 
 void print_lit(const char* what, const Json& lit) {
-  std::cout << what << " under " << lit["lights"] << " lights: ";
+  std::cout << what << " under " << golden::count_of(lit["lights"].get<int>(), "light") << ": ";
   if (lit["max"] == 0.0) {
     std::cout << "unchanged\n";
     return;
   }
-  std::cout << figure(lit["rmse"]) << " levels RMS, " << figure(lit["psnr_db"]) << " dB, SSIM "
-            << figure(lit["ssim"]) << " (least " << figure(lit["ssim_least"]) << "), 99.9 % within "
-            << figure(lit["within_999"]) << ", max " << figure(lit["max"]) << '\n';
+  std::cout << golden::count_of(figure(lit["rmse"]), "level") << " RMS, " << figure(lit["psnr_db"])
+            << " dB, SSIM " << figure(lit["ssim"]) << " (least " << figure(lit["ssim_least"])
+            << "), 99.9 % within " << figure(lit["within_999"]) << ", max " << figure(lit["max"])
+            << '\n';
 }
 
 void print_file(const Json& report, const Json& input_bytes) {

@@ -1,7 +1,8 @@
 #pragma once
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
+
+#include "golden/files/figure_text.h"
 
 namespace ptm::testbench {
 
@@ -15,10 +16,7 @@ namespace ptm::testbench {
     return "[" + list + "]";
   }
   if (!value.is_number_float()) return value.dump();
-  std::ostringstream text;
-  text.precision(4);
-  text << value.get<double>();
-  return text.str();
+  return golden::four_digits(value.get<double>());
 }
 
 }  // namespace ptm::testbench

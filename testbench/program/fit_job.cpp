@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/lum_matrix.h"
 #include "golden/files/number_text.h"
 #include "golden/files/picture_row_writer.h"
@@ -263,14 +264,16 @@ class Runner {
   void count_samples(const golden::PhotoBands& bands) {
     out_.saturated_samples = bands.counts().saturated;
     if (bands.counts().negative > 0) {
-      out_.notes.push_back(std::to_string(bands.counts().negative) +
-                           " negative samples taken as black");
+      out_.notes.push_back(golden::count_of(bands.counts().negative, "negative sample") +
+                           " taken as black");
     }
     if (out_.balance.exceeding > 0) {
-      out_.notes.push_back("luminance of " + std::to_string(out_.balance.exceeding) +
-                           " texels exceeded the hardware's; " +
-                           std::to_string(out_.balance.scaled) + " had their colours scaled up, " +
-                           std::to_string(out_.balance.remaining) + " still exceed it");
+      out_.notes.push_back(
+          "luminance of " + golden::count_of(out_.balance.exceeding, "texel") +
+          " exceeded the hardware's; " + "colours were scaled up in " +
+          golden::count_of(out_.balance.scaled, "texel") + ", and " +
+          golden::count_of(out_.balance.remaining, "texel") +
+          (out_.balance.remaining == 1 ? " still exceeds it" : " still exceed it"));
     }
     if (bands.bands() > 1 && !bands.all_decode_once()) {
       out_.notes.emplace_back(

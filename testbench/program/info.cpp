@@ -16,6 +16,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/config_options.h"
 #include "testbench/program/expected_file.h"
+#include "testbench/program/figures.h"
 #include "testbench/run/crop_map.h"
 #include "testbench/run/hardware_map.h"
 #include "testbench/run/map_bound.h"
@@ -201,7 +202,7 @@ void print_table(const Json& rows) {
   std::cout << '\n';
   for (const Json& row : rows) {
     for (const auto& [key, value] : row.items()) {
-      cell(value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump());
+      cell(value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : figure(value));
     }
     std::cout << '\n';
   }
@@ -216,7 +217,7 @@ void print_text(const Json& description) {
     } else if (key == "notes") {
       for (const Json& note : value) std::cout << "note: " << note.get<std::string>() << '\n';
     } else {
-      std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump())
+      std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : figure(value))
                 << '\n';
     }
   }

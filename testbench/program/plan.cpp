@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "golden/files/figure_text.h"
 #include "golden/scene/scene.h"
 #include "testbench/plan/effect_rows.h"
 #include "testbench/program/commands.h"
@@ -83,8 +84,9 @@ void print_draw(std::size_t number, const PlannedDraw& draw) {
   if (!draw.map.empty()) std::cout << "map " << draw.map;
   if (!draw.color.empty()) std::cout << (draw.map.empty() ? "" : ", ") << "colour " << draw.color;
   std::cout << "; effects: " << list(draw.effects) << '\n'
-            << "  " << draw.words << " words a texel, " << draw.passes << " passes of the map's"
-            << " and " << draw.extra_passes << " of effects, stages: " << list(draw.stages) << '\n'
+            << "  " << golden::count_of(draw.words, "word") << " a texel, "
+            << golden::count_of(draw.passes, "pass") << " of the map's and " << draw.extra_passes
+            << " of effects, stages: " << list(draw.stages) << '\n'
             << "  a pixel   words  taps  address  filter  eval  combine  effects    all  cycles\n";
   print_cost("least", draw.least);
   print_cost("most", draw.most);

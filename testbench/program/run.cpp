@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/files/figure_text.h"
 #include "golden/scene/scene.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/config_options.h"
@@ -51,8 +52,8 @@ void print_costs(const EffectCosts& costs) {
     std::string who = cost.effect;
     for (const std::string& other : cost.together) who += " and with it " + other;
     std::cout << who << (text.empty() ? "" : " costs " + text + "; it") << " changes "
-              << share(cost.changed) << " of all samples, RMSE " << levels(cost.rmse)
-              << " levels\n";
+              << share(cost.changed) << " of all samples, RMSE "
+              << golden::count_of(levels(cost.rmse), "level") << '\n';
   }
 }
 
@@ -60,14 +61,14 @@ void print_summary(const RunResult& result, const RunComparison& comparison) {
   for (const std::string& note : result.notes) std::cout << "note: " << note << '\n';
   for (const ModelResult& model : result.models) {
     std::cout << model.model << ": " << duration(model.seconds);
-    if (model.cycles) std::cout << ", " << grouped(*model.cycles) << " cycles";
+    if (model.cycles) std::cout << ", " << plural(*model.cycles, "cycle");
     std::cout << '\n';
   }
   for (const PairDifference& pair : comparison.pairs) {
     std::cout << pair.a << " and " << pair.b << ": " << grouped(pair.difference.differing) << " of "
               << grouped(pair.difference.samples) << " samples differ, at most "
-              << levels(pair.difference.max) << " levels, " << decibels(pair.difference.psnr_db)
-              << '\n';
+              << golden::count_of(levels(pair.difference.max), "level") << ", "
+              << decibels(pair.difference.psnr_db) << '\n';
   }
   const auto golden = std::find_if(comparison.pairs.begin(), comparison.pairs.end(),
                                    [](const PairDifference& p) { return p.a == "golden"; });
@@ -78,7 +79,7 @@ void print_summary(const RunResult& result, const RunComparison& comparison) {
   for (const PresetDifference& preset : comparison.presets) {
     std::cout << "preset " << preset.preset
               << " against golden: " << decibels(preset.difference.psnr_db) << ", largest error "
-              << levels(preset.difference.max) << " levels\n";
+              << golden::count_of(levels(preset.difference.max), "level") << '\n';
   }
 }
 
@@ -191,9 +192,9 @@ std::vector<RunFigures> run_presets(const RunOptions& options, const Invocation&
 void run(RunOptions options, const Invocation& invocation) {
   expect_file(options.scene, golden::FileType::scene);
   if (options.presets.size() == 1) options.config.preset = options.presets.front();
-  const std::vector<RunFigures> rows =
-      options.presets.size() > 1 ? run_presets(options, invocation)
-                                 : std::vector<RunFigures>{run_one(options, invocation)};
+  const std::vector<RunFigures> rows = options.presets.size() > 1
+                                           ? run_presets(options, invocation)
+                                           : std::vector<RunFigures>{run_one(options, invocation)};
   for (const RunFigures& row : rows) {
     if (row.disagreement) std::rethrow_exception(row.disagreement);
   }

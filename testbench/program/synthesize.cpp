@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/light_positions.h"
 #include "golden/files/picture_file.h"
 #include "golden/files/whole_file.h"
@@ -71,8 +72,8 @@ void synthesize(const SynthesizeOptions& options) {
   // The list comes last: where it stands, all that it names stands too.
   files.write("capture.lp", golden::format_light_positions(list, pictures));
   files.commit();
-  std::cout << pictures.size() << " photographs of " << options.size << " x " << options.size
-            << " pixels: " << list.string() << '\n';
+  std::cout << golden::count_of(pictures.size(), "photograph") << " of " << options.size << " x "
+            << options.size << " pixels: " << list.string() << '\n';
 }
 
 }  // namespace

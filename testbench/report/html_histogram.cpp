@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/files/figure_text.h"
 #include "testbench/compare/heat_map.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/report_html.h"
@@ -71,8 +72,8 @@ void add_bars(std::string& page, const ErrorHistogram& histogram, const CountAxi
     const double gap = std::min(1.0, (right - left) / 6);
     page += "<rect class=\"bar\" x=\"" + number(left + gap / 2) + "\" y=\"" + number(top) +
             "\" width=\"" + number(right - left - gap) + "\" height=\"" +
-            number(kTop + kPlot - top) + "\"><title>" + levels(center) +
-            " levels: " + plural(histogram.counts[i], "sample") + "</title></rect>\n";
+            number(kTop + kPlot - top) + "\"><title>" + golden::count_of(levels(center), "level") +
+            ": " + plural(histogram.counts[i], "sample") + "</title></rect>\n";
   }
 }
 
@@ -107,7 +108,7 @@ void add_heat_legend(std::string& page, double full_scale) {
   page +=
       "<svg class=\"legend\" viewBox=\"0 0 600 46\" role=\"img\" aria-label=\"Colour scale of "
       "the heat map, from 0 to " +
-      levels(full_scale) + " levels\">\n";
+      golden::count_of(levels(full_scale), "level") + "\">\n";
   for (int i = 0; i < kSteps; ++i) {
     const Rgb8 c = heat_color(static_cast<double>(i) / (kSteps - 1));
     page += "<rect x=\"" + fixed(2 + kStep * i, 0) + "\" y=\"6\" width=\"" + fixed(kStep, 0) +
@@ -117,8 +118,9 @@ void add_heat_legend(std::string& page, double full_scale) {
   page += '\n';
   for (int i = 0; i <= 4; ++i) {
     const char* anchor = i == 0 ? "start" : i == 4 ? "end" : "middle";
-    page +=
-        text_at(2 + 149.0 * i, 37, anchor, levels(full_scale * i / 4) + (i == 4 ? " levels" : ""));
+    page += text_at(
+        2 + 149.0 * i, 37, anchor,
+        i == 4 ? golden::count_of(levels(full_scale), "level") : levels(full_scale * i / 4));
   }
   page += "</svg>\n";
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "golden/files/figure_text.h"
 #include "testbench/compare/heat_map.h"
 #include "testbench/report/html_text.h"
 #include "testbench/report/level_picture.h"
@@ -62,7 +63,7 @@ void add_heat_figure(std::string& page, PngCache& pngs, const RunResult& result,
       page, pngs, heat_map(a, b, full, block),
       "Heat map of errors, " + pair.b + " against " + pair.a + ", light " + light_of(result, frame),
       "<b>|" + pair.b + " − " + pair.a + "|</b>, largest of the channels; black 0, pale yellow " +
-          levels(full) + " levels" + reduction_note(block, "largest"));
+          golden::count_of(levels(full), "level") + reduction_note(block, "largest"));
 }
 
 void add_frame(std::string& page, PngCache& pngs, const RunResult& result, std::size_t frame,

@@ -72,13 +72,13 @@ void add_time_table(std::string& page, const RunResult& result) {
             return m.cycles ? Cell(grouped(*m.cycles)) : std::nullopt;
           }));
   add_row(page, "", per_model(result, "Cycles a pixel", [&](const ModelResult& m) -> Cell {
-            return m.cycles ? Cell(fixed(static_cast<double>(*m.cycles) / pixels, 4))
+            return m.cycles ? Cell(significant(static_cast<double>(*m.cycles) / pixels))
                             : std::nullopt;
           }));
   add_row(page, "",
           per_model(result, "Cycles simulated a second", [](const ModelResult& m) -> Cell {
             if (!m.cycles || !(m.seconds > 0)) return std::nullopt;
-            return fixed(static_cast<double>(*m.cycles) / m.seconds / 1e6, 2) + " million";
+            return significant(static_cast<double>(*m.cycles) / m.seconds / 1e6) + " million";
           }));
   close_table(page);
 }

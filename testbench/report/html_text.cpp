@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "golden/files/figure_text.h"
 #include "testbench/run/run_result.h"
 
 namespace ptm::testbench {
@@ -82,11 +83,23 @@ std::string grouped(std::uint64_t value) {
   return out;
 }
 
-std::string decibels(double psnr) { return std::isinf(psnr) ? "∞ dB" : fixed(psnr, 2) + " dB"; }
+std::string significant(double value) {
+  if (value == 0) return "0";
+  if (value < 1e-4) return golden::four_digits(value);
+  if (value >= 999.95) return grouped(static_cast<std::uint64_t>(std::llround(value)));
+  int digits = 1;  // behind the point
+  for (double size = 99.995; digits < 7 && value < size; size /= 10) ++digits;
+  return fixed(value, digits);
+}
+
+std::string decibels(double psnr) {
+  if (std::isinf(psnr)) return "∞ dB";
+  return std::string(psnr < 0 ? "-" : "").append(significant(std::abs(psnr))).append(" dB");
+}
 
 std::string levels(double error) {
   if (error == std::floor(error) && std::abs(error) < 1e6) return fixed(error, 0);
-  return std::abs(error) < 0.0005 ? print("%.*g", 2, error) : fixed(error, 3);
+  return golden::four_digits(error);
 }
 
 std::string share(double part) {
@@ -119,7 +132,7 @@ std::string light_text(const FrameLight& light) {
 }
 
 std::string plural(std::size_t count, const std::string& noun) {
-  return grouped(count) + " " + noun + (count == 1 ? "" : "s");
+  return golden::count_of(grouped(count), noun);
 }
 
 }  // namespace ptm::testbench

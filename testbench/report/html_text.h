@@ -17,9 +17,11 @@ struct FrameLight;  // testbench/run/run_result.h
 
 [[nodiscard]] std::string fixed(double value, int digits);  ///< 57.49
 [[nodiscard]] std::string grouped(std::uint64_t value);     ///< 786,432
-[[nodiscard]] std::string decibels(double psnr);            ///< 57.49 dB; infinity: "∞ dB"
-/// Errors in 8-bit levels: an integer as it is, else three digits after the point, and never
-/// "0.000" for what is not zero (then 2e-05).
+/// A measured number, not negative: four significant digits, zeros at the end included, so that
+/// figures of a column line up: 0.5581, 3.500, 14.00, 12,346 from 1,000 on. 0 is "0".
+[[nodiscard]] std::string significant(double value);
+[[nodiscard]] std::string decibels(double psnr);  ///< 57.49 dB, 101.3 dB; infinity: "∞ dB"
+/// Errors in 8-bit levels: an integer as it is, else four significant digits.
 [[nodiscard]] std::string levels(double error);
 [[nodiscard]] std::string share(double part);        ///< 12.35 %, the same about zero
 [[nodiscard]] std::string similarity(double ssim);   ///< 0.99751, and 1 for equal pictures only

@@ -14,9 +14,7 @@ void add_tile(std::string& page, const std::string& figure, const std::string& m
   page += "<div class=\"tile\"><b>" + figure + "</b><span>" + meaning + "</span></div>\n";
 }
 
-std::string figure(std::optional<double> value, int digits) {
-  return value ? fixed(*value, digits) : "–";
-}
+std::string figure(std::optional<double> value) { return value ? significant(*value) : "–"; }
 
 std::string percent(std::optional<double> part) { return part ? share(*part) : "–"; }
 
@@ -25,8 +23,8 @@ std::string warm_formula(const UnitSection& unit) {
   const auto [least, most] = std::minmax_element(
       unit.draws.begin(), unit.draws.end(),
       [](const auto& a, const auto& b) { return a.cycles_per_pixel < b.cycles_per_pixel; });
-  const std::string low = fixed(least->cycles_per_pixel, 3),
-                    high = fixed(most->cycles_per_pixel, 3);
+  const std::string low = significant(least->cycles_per_pixel),
+                    high = significant(most->cycles_per_pixel);
   return low == high ? low : low + " to " + high + " by draw";
 }
 
@@ -34,17 +32,17 @@ void add_tiles(std::string& page, const UnitSection& unit, const UnitTiming& lea
   const reference::UnitCounters& n = lead.counters;
   const std::string of = timing_label(lead.model);
   page += "<div class=\"tiles\">\n";
-  add_tile(page, figure(fill_rate(lead), 3), "pixels a cycle, the fill rate of " + of);
-  add_tile(page, figure(per_pixel(lead, UnitCounter::cycles), 3),
+  add_tile(page, figure(fill_rate(lead)), "pixels a cycle, the fill rate of " + of);
+  add_tile(page, figure(per_pixel(lead, UnitCounter::cycles)),
            "cycles a pixel" + (unit.draws.empty() ? std::string()
                                                   : "; with every line a hit, by the formula: " +
                                                         warm_formula(unit)));
   add_tile(page, percent(hit_rate(lead)),
            "of " + grouped(n[UnitCounter::tag_hits] + n[UnitCounter::tag_misses]) +
                " look-ups hit the caches");
-  add_tile(page, figure(bytes_per_cycle(lead), 3), "bytes a cycle from memory");
-  add_tile(page, figure(per_pixel(lead, UnitCounter::words), 3), "words a pixel");
-  add_tile(page, figure(per_pixel(lead, UnitCounter::lines_read), 4),
+  add_tile(page, figure(bytes_per_cycle(lead)), "bytes a cycle from memory");
+  add_tile(page, figure(per_pixel(lead, UnitCounter::words)), "words a pixel");
+  add_tile(page, figure(per_pixel(lead, UnitCounter::lines_read)),
            "lines of " + fixed(kLineBytes, 0) + " bytes a pixel");
   page += "</div>\n";
 }

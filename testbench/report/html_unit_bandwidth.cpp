@@ -111,13 +111,13 @@ void add_caption(std::string& page, const UnitSection& unit, const std::vector<S
     const std::uint32_t most = *std::max_element(all[i].windows->begin(), all[i].windows->end());
     page += "<span class=\"key\"><i class=\"swatch line" + std::to_string(i) + "\"></i><b>" +
             all[i].label + "</b>: at most " + plural(most, "line") + " in a window, " +
-            fixed(kLineBytes * most / static_cast<double>(unit.window), 2) +
+            significant(kLineBytes * most / static_cast<double>(unit.window)) +
             " bytes a cycle</span>";
   }
   if (const UnitTiming* lead = lead_timing(unit)) {
     if (const auto mean = bytes_per_cycle(*lead)) {
       page += "<span class=\"key\"><i class=\"swatch mean\"></i><b>" + timing_label(lead->model) +
-              ", mean of the run</b>: " + fixed(*mean, 3) + " bytes a cycle</span>";
+              ", mean of the run</b>: " + significant(*mean) + " bytes a cycle</span>";
     }
   }
   page +=

@@ -9,9 +9,7 @@ namespace {
 
 using reference::UnitCounter;
 
-std::string cell(std::optional<double> value, int digits) {
-  return value ? fixed(*value, digits) : "–";
-}
+std::string cell(std::optional<double> value) { return value ? significant(*value) : "–"; }
 
 std::string percent(std::optional<double> part) { return part ? share(*part) : "–"; }
 
@@ -50,7 +48,7 @@ void add_texture_row(std::string& page, const UnitSection& unit, const DrawTextu
     if (timing.estimate) continue;
     row.push_back(percent(look_ups(timing, texture.draw, texture.texture).rate()));
   }
-  row.push_back(first_of_draw ? fixed(unit.draws[texture.draw].cycles_per_pixel, 3) : "");
+  row.push_back(first_of_draw ? significant(unit.draws[texture.draw].cycles_per_pixel) : "");
   add_row(page, "", row);
 }
 
@@ -113,7 +111,7 @@ void add_traffic_table(std::string& page, const UnitSection& unit) {
     const auto number = static_cast<std::size_t>(line.counter);
     if (std::find(shown.begin(), shown.end(), number) == shown.end()) continue;
     add_figure_row(page, unit, line.head, [&](const UnitTiming& t) {
-      return knows(t, line.counter) ? cell(per_pixel(t, line.counter), 4) : "–";
+      return knows(t, line.counter) ? cell(per_pixel(t, line.counter)) : "–";
     });
   }
   if (has_counter(unit.config, UnitCounter::duplicate_lines)) {
@@ -146,10 +144,11 @@ void add_speed_table(std::string& page, const UnitSection& unit) {
     const auto cycles = static_cast<double>(t.counters[UnitCounter::cycles]);
     const auto rate = ratio(cycles / 1e6, t.seconds);
     const auto speed = ratio(base.seconds, t.seconds);
-    add_row(page, &t == &base ? "bold" : "",
-            {timing_label(t.model), grouped(t.counters[UnitCounter::cycles]),
-             difference_cell(t, base, false), difference_cell(t, base, true), duration(t.seconds),
-             rate ? fixed(*rate, 2) + " million" : "–", speed ? fixed(*speed, 2) + " ×" : "–"});
+    add_row(
+        page, &t == &base ? "bold" : "",
+        {timing_label(t.model), grouped(t.counters[UnitCounter::cycles]),
+         difference_cell(t, base, false), difference_cell(t, base, true), duration(t.seconds),
+         rate ? significant(*rate) + " million" : "–", speed ? significant(*speed) + " ×" : "–"});
   }
   close_table(page);
 }

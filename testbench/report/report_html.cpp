@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "golden/files/figure_text.h"
 #include "testbench/report/html_effects.h"
 #include "testbench/report/html_made_by.h"
 #include "testbench/report/html_text.h"
@@ -40,7 +41,7 @@ void add_verdict(std::string& page, const RunResult& result, const RunComparison
     if (!pair.must_agree || pair.difference.max == 0) continue;
     page += "<br>" + pair.a + " and " + pair.b + " differ in " +
             grouped(pair.difference.differing) + " of " + grouped(pair.difference.samples) +
-            " samples, by up to " + levels(pair.difference.max) + " levels.";
+            " samples, by up to " + golden::count_of(levels(pair.difference.max), "level") + ".";
   }
   page += "</p>\n";
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "golden/files/figure_text.h"
 #include "testbench/report/html_text.h"
 
 namespace ptm::testbench {
@@ -166,7 +167,7 @@ std::string edge_sentence(const RunComparison& comparison, const PairDifference&
   if (!pair.off_edges) return text + "No other sample is left to compare.";
   return text + "Without these samples, the PSNR of " + pair.b + " against golden is " +
          decibels(pair.off_edges->psnr_db) + " and the largest error " +
-         levels(pair.off_edges->max) + " levels.";
+         golden::count_of(levels(pair.off_edges->max), "level") + ".";
 }
 
 RunComparison compare_run(const RunResult& result) {

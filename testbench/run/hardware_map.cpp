@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/input_error.h"
 #include "golden/render/light_map.h"
 
@@ -27,15 +28,16 @@ void take_integers(StoredTexture& texture, quantize::StoredMap&& stored) {
 std::string describe(const quantize::StoredMap& stored, const quantize::Balance& balance,
                      const std::string& why_not) {
   std::ostringstream text;
-  text.precision(3);
   const auto saturated =
       std::accumulate(stored.saturated.begin(), stored.saturated.end(), std::uint64_t{0});
   text << "quantised (" << quantize::to_string(stored.origin) << ") because " << why_not
-       << "; rms change of the luminance " << stored.rms_error << " levels, " << saturated
-       << " coefficients saturated";
+       << "; rms change of the luminance "
+       << golden::count_of(golden::four_digits(stored.rms_error), "level") << ", "
+       << golden::count_of(saturated, "coefficient") << " saturated";
   if (balance.exceeding > 0) {
-    text << "; luminance of " << balance.exceeding << " texels exceeded the hardware's, "
-         << balance.remaining << " still do after scaling colours up";
+    text << "; luminance of " << golden::count_of(balance.exceeding, "texel")
+         << " exceeded the hardware's, " << balance.remaining
+         << " of them also after scaling colours up";
   }
   return text.str();
 }
@@ -124,13 +126,9 @@ QuantizerInput quantizer_input(const PtmMap& map, const reference::EvalConfig& c
 std::string beyond_hardware(double rms_error) {
   constexpr double levels = 255;
   if (rms_error <= levels) return {};
-  std::ostringstream change;
-  change.precision(3);
-  change
-      << "coefficients that are not in the hardware's range: the nearest that it holds change the "
-         "luminance by "
-      << rms_error << " levels RMS";
-  return change.str();
+  return "coefficients that are not in the hardware's range: the nearest that it holds change the "
+         "luminance by " +
+         golden::count_of(golden::four_digits(rms_error), "level") + " RMS";
 }
 
 void require_held(double rms_error, const std::string& file) {

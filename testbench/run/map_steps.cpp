@@ -3,6 +3,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "golden/files/figure_text.h"
 #include "model/quantize/mip.h"
 #include "testbench/run/hardware_map.h"
 #include "testbench/run/map_parts.h"
@@ -31,11 +32,13 @@ struct Held {
 
 std::string describe(const quantize::StoredMap& stored) {
   std::ostringstream text;
-  text.precision(3);
-  text << "rms change of the luminance " << stored.rms_error << " levels, " << stored.worst_error
-       << " at the worst polynomial, "
-       << std::accumulate(stored.saturated.begin(), stored.saturated.end(), std::uint64_t{0})
-       << " coefficients saturated";
+  text << "rms change of the luminance "
+       << golden::count_of(golden::four_digits(stored.rms_error), "level") << ", "
+       << golden::four_digits(stored.worst_error) << " at the worst polynomial, "
+       << golden::count_of(
+              std::accumulate(stored.saturated.begin(), stored.saturated.end(), std::uint64_t{0}),
+              "coefficient")
+       << " saturated";
   return text.str();
 }
 
@@ -95,8 +98,9 @@ SteppedMap palette_map(const PtmMap& map, const EvalConfig& config,
   const Held held = hold(map, config);
   PalettizedMap made = palettize(held.view(), held.color, options, config);
   std::ostringstream how;
-  how << "a palette of " << made.palette.entries() << " entries after " << made.palette.rounds
-      << " rounds of k-means, seed " << options.seed << "; " << describe(made.stored);
+  how << "a palette of " << golden::count_of(made.palette.entries(), "entry") << " after "
+      << golden::count_of(made.palette.rounds, "round") << " of k-means, seed " << options.seed
+      << "; " << describe(made.stored);
   return {to_ptm(made.stored, held.kind, std::move(made.color)), how.str()};
 }
 

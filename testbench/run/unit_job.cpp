@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/files/figure_text.h"
 #include "model/reference/light_code.h"
 #include "testbench/config/configuration.h"
 
@@ -55,7 +56,7 @@ std::string light_place(const UnitScene& scene, std::size_t frame) {
 
 std::string describe(const pipeline::MemoryModel& memory) {
   if (const auto* fixed = std::get_if<pipeline::FixedMemory>(&memory)) {
-    return "fixed: " + std::to_string(fixed->latency) + " cycles to an answer, " +
+    return "fixed: " + golden::count_of(fixed->latency, "cycle") + " to an answer, " +
            std::to_string(fixed->interval) + " from one to the next";
   }
   if (const auto* random = std::get_if<pipeline::RandomMemory>(&memory)) {
@@ -64,10 +65,10 @@ std::string describe(const pipeline::MemoryModel& memory) {
            std::to_string(random->seed);
   }
   const auto& dram = std::get<pipeline::DramMemory>(memory);
-  return "paged DRAM: " + std::to_string(dram.banks) + " banks, pages of " +
-         std::to_string(dram.page_lines) + " lines, tRCD " + std::to_string(dram.tRCD) + ", tRP " +
-         std::to_string(dram.tRP) + ", CL " + std::to_string(dram.CL) + ", refresh every " +
-         std::to_string(dram.tREFI);
+  return "paged DRAM: " + golden::count_of(dram.banks, "bank") + ", pages of " +
+         golden::count_of(dram.page_lines, "line") + ", tRCD " + std::to_string(dram.tRCD) +
+         ", tRP " + std::to_string(dram.tRP) + ", CL " + std::to_string(dram.CL) +
+         ", refresh every " + std::to_string(dram.tREFI);
 }
 
 EvalConfig scene_eval_config(const UnitScene& scene) { return configuration_of(scene).eval; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "golden/files/figure_text.h"
 #include "model/quantize/gain.h"
 #include "model/quantize/mip.h"
 #include "testbench/run/map_parts.h"
@@ -159,7 +160,7 @@ UnitMap store_unit_palette(const RealTexture& texture, int levels, int entries,
     stored.color.assign(color, color + 3 * count);
     color += 3 * count;
   }
-  map.how = "a palette of " + std::to_string(made.palette.entries()) + " entries";
+  map.how = "a palette of " + golden::count_of(made.palette.entries(), "entry");
   return map;
 }
 

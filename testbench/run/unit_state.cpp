@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "golden/files/figure_text.h"
 #include "testbench/plan/golden_codes.h"
 #include "testbench/run/hardware_map.h"
 #include "testbench/run/unit_job.h"
@@ -227,7 +228,7 @@ class StateBuilder {
     const int most = rgb ? kEntriesRgb : kEntriesLrgb;
     const int entries = spec.palette == golden::kFullPalette ? most : spec.palette;
     if (entries > most) {
-      refuse(spec, std::to_string(entries) + " palette entries",
+      refuse(spec, golden::count_of(entries, "palette entry"),
              rgb ? "at most 4096 for an RGB map" : "at most 256 for an LRGB map");
     }
     Held held;

@@ -206,7 +206,7 @@ TEST(JpegLsRefusal, StreamsOfOtherThan8Bits) {
   const auto at = std::search(stream.begin(), stream.end(), marker.begin(), marker.end());
   at[4] = 12;
   file.streams[0] = stream;
-  EXPECT_EQ(refusal_of(file.bytes()).found(), "1 components of 12 bits");
+  EXPECT_EQ(refusal_of(file.bytes()).found(), "1 component of 12 bits");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST_F(EffectScene, RefusesWhatItDoesNotKnowAndListsWhatItHas) {
             std::string::npos);
   EXPECT_NE(said(kind("focus") + "\ncoordinates = [0, 1.5]").find("1.5|a number from -1 to 1"),
             std::string::npos);
-  EXPECT_NE(said(kind("focus") + "\ncoordinates = [[0, 1], [0]]").find("1 elements|2 elements"),
+  EXPECT_NE(said(kind("focus") + "\ncoordinates = [[0, 1], [0]]").find("1 element|2 elements"),
             std::string::npos);
   EXPECT_NE(said(kind("focus") + "\ncoordinates = []").find("0 elements|2 elements"),
             std::string::npos);

@@ -25,7 +25,7 @@ TEST_F(PlanCommand, PrintsWhatASceneCallsForAndWhatAPixelWillCost) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("extra_sets: 3 coefficient sets, for fresnel\n"), std::string::npos);
   EXPECT_NE(outcome.out.find("draw 0: map m; effects: half-vector, fresnel\n"), std::string::npos);
-  EXPECT_NE(outcome.out.find("9 words a texel, 1 passes of the map's and 4 of effects"),
+  EXPECT_NE(outcome.out.find("9 words a texel, 1 pass of the map's and 4 of effects"),
             std::string::npos)
       << outcome.out;
 }

@@ -38,7 +38,8 @@ TEST(HtmlText, GroupsDigitsByThousands) {
 TEST(HtmlText, NeverPrintsAFigureThatIsNotZeroAsZeroNorOneThatIsNotOneAsOne) {
   EXPECT_EQ(levels(0), "0");
   EXPECT_EQ(levels(2), "2");
-  EXPECT_EQ(levels(0.5), "0.500");
+  EXPECT_EQ(levels(0.5), "0.5");
+  EXPECT_EQ(levels(16.10826), "16.11");
   EXPECT_EQ(levels(0.00002), "2e-05");
   EXPECT_EQ(similarity(1), "1");
   EXPECT_EQ(similarity(1 - 1e-9), "&gt; 0.99999");
@@ -49,8 +50,23 @@ TEST(HtmlText, NeverPrintsAFigureThatIsNotZeroAsZeroNorOneThatIsNotOneAsOne) {
   EXPECT_EQ(share(1.0 / 786432), "0.00013 %");
 }
 
+TEST(HtmlText, PrintsFourSignificantDigitsOfAMeasuredNumber) {
+  EXPECT_EQ(significant(0), "0");
+  EXPECT_EQ(significant(1), "1.000");
+  EXPECT_EQ(significant(0.55812), "0.5581");
+  EXPECT_EQ(significant(0.04730468), "0.04730");
+  EXPECT_EQ(significant(9.9996), "10.00");
+  EXPECT_EQ(significant(99.996), "100.0");
+  EXPECT_EQ(significant(123.456), "123.5");
+  EXPECT_EQ(significant(999.96), "1,000");
+  EXPECT_EQ(significant(12345.6), "12,346");
+  EXPECT_EQ(significant(0.0000012345678), "1.235e-06");
+}
+
 TEST(HtmlText, PrintsDecibelsAndDurationsWithUnits) {
   EXPECT_EQ(decibels(57.4949), "57.49 dB");
+  EXPECT_EQ(decibels(101.26), "101.3 dB");
+  EXPECT_EQ(decibels(-2.5), "-2.500 dB");
   EXPECT_EQ(decibels(std::numeric_limits<double>::infinity()), "∞ dB");
   EXPECT_EQ(duration(75.25), "75.2 s");
   EXPECT_EQ(duration(1.2345), "1.23 s");
