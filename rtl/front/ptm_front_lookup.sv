@@ -1,14 +1,18 @@
-// What the words of one texture look up for a (sub-)beat: the taps' distinct tiles, by tag bank. A
-// word adds its plane to line and hash (ptm_front_tmu_tags).
+// The look-ups of one texture for one beat or sub-beat: in which tiles its taps lie, and for each
+// of the four tag banks the set and the line to look up. Line and set are given here without the
+// word's plane, which ptm_front_tags adds for each TMU, since all words of a texture share the
+// rest.
 //
 //   set = ({ty'[ky-1:0], tx'[kx-1:0]} xor (plane + 3 * level + 5 * texture + (tx' >> kx)
 //         + (ty' >> ky))) mod Sets                       docs/spec/unit-timing.md, Tags
 //
-// The fetched taps are some columns of some rows. Two tiles of one tag bank, or two texels of one
-// data bank, are never wanted at once: A3 has split what would. So bank {y, x} serves the column of
-// tile parity x and the row of tile parity y.
+// Tag bank {y, x} holds the tiles (tx, ty) whose ty has parity y and whose tx has parity x. The
+// fetched taps are one or two columns times one or two rows. If their two columns lie in different
+// tiles, the parities of those differ, since A3 has split every beat in which two tiles would want
+// one bank (Seam split). So for each parity x at most one column of tiles is looked up, for each
+// parity y at most one row, and bank {y, x} looks up the tile where the two cross.
 //
-// Stands still, at 0, while not enabled: the simulation of a draw without this texture saves it.
+// All outputs are 0 while enable_i is low.
 // Combinational.
 module ptm_front_lookup #(
   parameter int Sets  = 32,  // of one tag bank, a power of two
@@ -22,17 +26,19 @@ module ptm_front_lookup #(
   input  ptm_front_pkg::column_lines_t column_lines_i,
   input  logic [3:0]                  taps_i,     // of the sub-beat
   output ptm_front_pkg::taken_t  taken_o,
-  // Rows and columns of which a tap is the first that needs its tile, if both are
+  // A column is new if no fetched column before it lies in the same tile; likewise a row. A tap is
+  // the first that needs its tile if both its column and its row are new.
   output logic [1:0]                  new_rows_o,
   output logic [1:0]                  new_columns_o,
-  output logic [3:0]                  used_o,     // by bank: it has a look-up, for what follows
-  // By parity, a column's and a row's part of a bank's hash before the plane, and of what it is to
-  // be xored with: sums and disjoint bits
+  output logic [3:0]                  used_o,     // by bank: it has a look-up
+  // For the set of bank {y, x}, which is (low_x | low_y) xor (hash_x + hash_y + plane): the parts
+  // of the column of tiles of parity x and of the row of parity y. Two entries each, even parity
+  // lowest
   output logic [2*SetBits-1:0]              hash_x_o,
   output logic [2*SetBits-1:0]              hash_y_o,
   output logic [2*SetBits-1:0]              low_x_o,
   output logic [2*SetBits-1:0]              low_y_o,
-  // By parity: a bank's line is the sum of its row's, its column's and the plane
+  // The line of bank {y, x} is the row's part of parity y, the column's of parity x and the plane
   output logic [2*LineBits-1:0]       row_o,
   output logic [2*LineBits-1:0]       column_o
 );
@@ -60,7 +66,7 @@ module ptm_front_lookup #(
   );
 
   // The hash is a sum of a part for the level and the texture, one for the column and one for the
-  // row. Modulo 2^SetBits, of which Sets is a factor.
+  // row. It is computed modulo 2^SetBits, of which Sets is a factor.
   logic [SetBits-1:0]  hash_level, hash_even, hash_odd;
   logic [LineBits-1:0] column_line0, column_line1, row_line0, row_line1;
   assign column_line0 = LineBits'(column_lines_i.column[0]);
