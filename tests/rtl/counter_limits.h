@@ -41,9 +41,9 @@ std::array<std::uint64_t, kLimitCounters> count_from(std::uint64_t start) {
   edge();
   dut.rst_ni = 1;
   edge();
-  fill(dut.rootp->ptm_unit_counters__DOT__count_q, start);
-  fill(dut.rootp->ptm_unit_counters__DOT__draw_count_q, start);
-  dut.rootp->ptm_unit_counters__DOT__gen_effects__DOT__effects_q = start;
+  fill(dut.rootp->ptm_registers_counters__DOT__count_q, start);
+  fill(dut.rootp->ptm_registers_counters__DOT__draw_count_q, start);
+  dut.rootp->ptm_registers_counters__DOT__gen_effects__DOT__effects_q = start;
   std::mt19937 rng(7);
   const auto in = [&rng](unsigned most) { return static_cast<unsigned>(rng() % (most + 1)); };
   unsigned inside = 0;
