@@ -60,7 +60,7 @@ class EvaluatorClaims {
     claims_.push_back(std::make_unique<Claim>());
     Claim& claim = *claims_.back();
     claim.name = name;
-    claim.module = std::string("ptm_") + name;
+    claim.module = std::string("ptm_evaluator_") + name;
     return claim;
   }
 
