@@ -64,13 +64,12 @@ TEST(RtlFileLists, NameEveryModuleOfTheFolderOnce) {
   listed.insert(listed.end(), unit.begin(), unit.end());
   std::sort(listed.begin(), listed.end());
   std::vector<std::string> present;
-  for (const std::string folder : {"rtl/", "rtl/contract/"}) {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(PTM_SOURCE_DIR) + "/" + folder)) {
-      if (entry.path().extension() == ".sv") {
-        present.push_back(folder + entry.path().filename().string());
-      }
-    }
+  const std::filesystem::path root = PTM_SOURCE_DIR;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "rtl")) {
+    const std::string name = std::filesystem::relative(entry.path(), root).string();
+    // Stages of effects are found by their names, and properties are read by proofs alone.
+    if (name.starts_with("rtl/effects/") || name.starts_with("rtl/formal/")) continue;
+    if (entry.path().extension() == ".sv") present.push_back(name);
   }
   std::sort(present.begin(), present.end());
   EXPECT_EQ(listed, present);
