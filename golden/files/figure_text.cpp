@@ -1,7 +1,9 @@
 #include "golden/files/figure_text.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace ptm::golden {
 namespace {
@@ -31,6 +33,13 @@ std::string four_digits(double value) {
   std::array<char, 32> text{};
   const int length = std::snprintf(text.data(), text.size(), "%.4g", value);
   return {text.data(), static_cast<std::size_t>(length)};
+}
+
+std::string four_digits_bound(double bound) {
+  std::string text = four_digits(bound);
+  if (std::strtod(text.c_str(), nullptr) >= bound) return text;
+  // Rounding to nearest lost half a unit of the fourth digit at most.
+  return four_digits(bound + std::pow(10, std::floor(std::log10(bound)) - 3) / 2);
 }
 
 }  // namespace ptm::golden

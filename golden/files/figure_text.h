@@ -20,4 +20,7 @@ template <std::integral Number>
 /// Four significant digits, without zeros at the end: "16.11", "0.5", "1.2e-05", "nan".
 [[nodiscard]] std::string four_digits(double value);
 
+/// The same of a bound, which is not negative: rounded up, so that what is printed holds too.
+[[nodiscard]] std::string four_digits_bound(double bound);
+
 }  // namespace ptm::golden

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/picture_header.h"
 #include "golden/files/ptm_file.h"
 #include "golden/files/ptm_header.h"
@@ -27,6 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> channels{"R", "G", "B"};
+constexpr const char* kBound = "levels_off_at_most";
 
 /// Least, greatest and mean of every stride-th sample from first.
 template <class Sample>
@@ -129,8 +131,8 @@ Json preset_rows(const golden::PtmMap& map, const reference::EvalConfig& own) {
     const PresetFigures figures = preset_figures(map, preset.config, import.map.has_value());
     Json row{{"preset", preset.name}, {"verbatim", import.map.has_value()}};
     if (map.kind == golden::MapKind::lrgb) row["luminance_beyond"] = figures.beyond;
-    row["levels_off_at_most"] = nullptr;
-    if (import.map && std::isfinite(figures.most)) row["levels_off_at_most"] = figures.most;
+    row[kBound] = nullptr;
+    if (import.map && std::isfinite(figures.most)) row[kBound] = figures.most;
     row["why_not"] = import.why_not;
     rows.push_back(row);
   }
@@ -202,7 +204,11 @@ void print_table(const Json& rows) {
   std::cout << '\n';
   for (const Json& row : rows) {
     for (const auto& [key, value] : row.items()) {
-      cell(value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : figure(value));
+      if (key == kBound && !value.is_null()) {
+        cell(golden::four_digits_bound(value.get<double>()));
+      } else {
+        cell(value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : figure(value));
+      }
     }
     std::cout << '\n';
   }

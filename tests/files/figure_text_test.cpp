@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace ptm::golden {
 namespace {
 
@@ -38,6 +40,22 @@ TEST(FourDigits, AreSignificantOnesWithoutZerosAtTheEnd) {
   EXPECT_EQ(four_digits(123456), "1.235e+05");
   EXPECT_EQ(four_digits(0.000012), "1.2e-05");
   EXPECT_EQ(four_digits(-255.04), "-255");
+}
+
+TEST(FourDigits, OfABoundAreRoundedUp) {
+  EXPECT_EQ(four_digits_bound(3.08841), "3.089");
+  EXPECT_EQ(four_digits_bound(3.08849), "3.089");
+  EXPECT_EQ(four_digits_bound(3.08851), "3.089");
+  EXPECT_EQ(four_digits_bound(9.99901), "10");
+  EXPECT_EQ(four_digits_bound(1000.2), "1001");
+  EXPECT_EQ(four_digits_bound(2.5), "2.5");
+  EXPECT_EQ(four_digits_bound(0), "0");
+  for (double bound = 1e-6; bound < 1e6; bound *= 1.0137) {
+    const double printed = std::stod(four_digits_bound(bound));
+    EXPECT_GE(printed, bound);
+    // A unit of the fourth digit is at most a thousandth of the number.
+    EXPECT_LE(printed, bound * 1.001) << bound;
+  }
 }
 
 }  // namespace
