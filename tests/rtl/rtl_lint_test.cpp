@@ -75,5 +75,21 @@ TEST(RtlFileLists, NameEveryModuleOfTheFolderOnce) {
   EXPECT_EQ(listed, present);
 }
 
+TEST(RtlFileLists, AreOfModulesNamedAfterTheirFolder) {
+  const std::filesystem::path rtl = std::filesystem::path(PTM_SOURCE_DIR) / "rtl";
+  int modules = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(rtl)) {
+    const std::filesystem::path folder = entry.path().parent_path();
+    if (entry.path().extension() != ".sv" || folder == rtl) continue;
+    std::string part = folder.filename();
+    if (part == "contract" || part == "formal") continue;  // named by what they hold, or prove
+    if (part == "effects") part = "effect";
+    const std::string name = entry.path().stem();
+    EXPECT_TRUE(name == "ptm_" + part || name.starts_with("ptm_" + part + "_")) << entry.path();
+    ++modules;
+  }
+  EXPECT_GT(modules, 50);
+}
+
 }  // namespace
 }  // namespace ptm::reference
