@@ -52,7 +52,7 @@ std::vector<NumberRow> lights_of(std::vector<NumberRow> rows, const std::string&
   for (const NumberRow& row : rows) {
     if (row.numbers.size() == columns) continue;
     throw InputError(table, "line " + std::to_string(row.line),
-                     std::to_string(row.numbers.size()) + " numbers", std::to_string(columns));
+                     count_of(row.numbers.size(), "number"), std::to_string(columns));
   }
   if (rows.size() == 3 && columns == 3) {
     notes.emplace_back("a table of 3 x 3 numbers is taken as one light a line");
@@ -131,7 +131,7 @@ LightPositions read_parameter_table(const fs::path& table, const fs::path& folde
   for (const NumberRow& row : read.rows) {
     if (read.rows.size() > 1 && row.numbers.size() != 1) {
       throw InputError(table.string(), "line " + std::to_string(row.line),
-                       std::to_string(row.numbers.size()) + " numbers", "one number a line");
+                       count_of(row.numbers.size(), "number"), "one number a line");
     }
     for (const double u : row.numbers) result.pictures.push_back({{}, {u, 0, 0}, row.line, {}});
   }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string_view>
 
+#include "golden/files/figure_text.h"
 #include "golden/files/number_text.h"
 #include "golden/files/text_lines.h"
 #include "golden/geometry/direction.h"
@@ -32,8 +33,8 @@ class ObjReader {
     }
     take(whole);
     if (no_polygons_ > 0) {
-      mesh_.notes.push_back(path_.filename().string() + ": " + std::to_string(no_polygons_) +
-                            " faces of fewer than three corners left out, the first in line " +
+      mesh_.notes.push_back(path_.filename().string() + ": " + count_of(no_polygons_, "face") +
+                            " of fewer than three corners left out, the first in line " +
                             std::to_string(first_no_polygon_));
     }
     if (mesh_.triangles.empty()) {

@@ -118,7 +118,7 @@ void refuse_disagreement(const SceneRun& run, const RunComparison& comparison) {
   }
   if (run.late_pixels.value_or(0) != 0) {
     throw ExitError(ExitCode::disagree, "pipeline and rtl differ in the cycle of " +
-                                            std::to_string(*run.late_pixels) + " pixels");
+                                            golden::count_of(*run.late_pixels, "pixel"));
   }
   if (run.result.unit && !run.result.unit->differing_counters.empty()) {
     throw ExitError(ExitCode::disagree, "pipeline and rtl differ in the counter " +

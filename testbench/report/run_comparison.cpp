@@ -17,9 +17,9 @@ const std::string kGolden = "golden";
 void check_frames(const RunResult& result, const std::string& whose,
                   const std::vector<golden::ImageReal>& frames) {
   if (frames.empty() || frames.size() != result.lights.size()) {
-    throw std::invalid_argument("report: " + whose + " has " + std::to_string(frames.size()) +
-                                " frames, expected one for each of " +
-                                std::to_string(result.lights.size()) + " lights");
+    throw std::invalid_argument("report: " + whose + " has " + golden::count_of(frames.size(), "frame") +
+                                ", expected one for each of " +
+                                golden::count_of(result.lights.size(), "light"));
   }
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const golden::ImageReal& image = frames[f];

@@ -81,8 +81,8 @@ TEST_F(FileCommands, FilesCutAtAnyHeaderLineOrInThePayloadEndWithCode3) {
 
 TEST_F(FileCommands, FilesWithTrailingBytesEndWithCode3) {
   const std::string file = put("long.ptm", good() + Bytes{0});
-  expect_refused(file, "(payload): found 1 more bytes");
-  expect_refused(file, "(payload): found 1 more bytes", "info");
+  expect_refused(file, "(payload): found 1 more byte,");
+  expect_refused(file, "(payload): found 1 more byte,", "info");
 }
 
 TEST_F(FileCommands, ZeroAndAbsurdSizesEndWithCode3) {

@@ -73,7 +73,7 @@ TEST_F(UnitRunCommand, SaysWhichFacesOfAMeshAreLeftOut) {
                 "[[object]]\nkind = \"mesh\"\nfile = \"m.obj\"\ntexture = \"m\"\n" + kUnbuilt) +
           out() + " --models golden");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("note: m.obj: 1 faces of fewer than three corners left out, the first "
+  EXPECT_NE(outcome.out.find("note: m.obj: 1 face of fewer than three corners left out, the first "
                              "in line 5"),
             std::string::npos)
       << outcome.out;

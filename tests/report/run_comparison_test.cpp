@@ -111,7 +111,7 @@ void expect_refused(const RunResult& run, const std::string& naming) {
 TEST(RunComparison, RefusesARunThatDoesNotHoldTogether) {
   RunResult run = made_run(4, 4, 2);
   run.models[2].frames.pop_back();
-  expect_refused(run, "pipeline has 1 frames, expected one for each of 2 lights");
+  expect_refused(run, "pipeline has 1 frame, expected one for each of 2 lights");
   run = made_run(4, 4, 2);
   run.models[1].frames[1] = golden::ImageReal(4, 5, 3);
   expect_refused(run, "reference, frame 1: found 4 x 5 x 3 samples, expected 4 x 4 x 3");
